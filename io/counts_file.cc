@@ -1,5 +1,6 @@
 #include "io/counts_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -78,6 +79,30 @@ bool HasColour(const Levels& levels, std::size_t pixel, const std::array<std::ui
   return true;
 }
 
+// A level of 8 bits that is this one, or nearest to it.
+std::uint8_t EightBits(const Levels& levels, std::size_t at) {
+  const std::uint64_t doubled = 2 * std::uint64_t{255} * levels.values[at];
+  return static_cast<std::uint8_t>((doubled + levels.greatest) /
+                                   (2 * std::uint64_t{levels.greatest}));
+}
+
+// `colour_at` gives the colour of a pixel by its index.
+std::vector<std::string> CornersOf(const CountsFormat& format, const CoverageCounts& mask,
+                                   const auto& colour_at) {
+  const auto width = static_cast<std::size_t>(format.width);
+  std::vector<std::string> corners;
+  for (const std::size_t k : {std::size_t{0}, width - 1, mask.size() - width, mask.size() - 1}) {
+    if (mask.front[k] == 0) continue;
+    std::string text;
+    for (const std::uint8_t level : std::array<std::uint8_t, 3>(colour_at(k))) {
+      constexpr std::string_view kDigits = "0123456789abcdef";
+      text += {kDigits[level / 16U], kDigits[level % 16U]};
+    }
+    if (std::ranges::find(corners, text) == corners.end()) corners.push_back(text);
+  }
+  return corners;
+}
+
 CountsFile FromPicture(std::string_view bytes, const std::string& path,
                        const CountsFormat& format) {
   const std::array<std::uint8_t, 3> paper = ColourFrom(format.background);
@@ -87,17 +112,25 @@ CountsFile FromPicture(std::string_view bytes, const std::string& path,
         "give counts, as text or with --counts");
   }
   CoverageCounts counts(format.width, format.height);
+  std::vector<std::string> corners;
   if (!IsRaw(path) && bytes.starts_with(kPngBegins)) {
     const Image image = DecodePng(bytes, path, format.width, format.height);
     for (std::size_t k = 0; k < counts.size(); ++k)
       counts.front[k] = image.pixels[k] == paper ? 0 : 1;
+    corners = CornersOf(format, counts, [&](std::size_t k) { return image.pixels[k]; });
   } else {
     const Levels levels = IsRaw(path) ? FromRaw(bytes, path, format)
                                       : DecodeNetpbm(bytes, path, format.width, format.height);
     for (std::size_t k = 0; k < counts.size(); ++k)
       counts.front[k] = HasColour(levels, k, paper) ? 0 : 1;
+    corners = CornersOf(format, counts, [&](std::size_t k) {
+      const std::size_t at = levels.channels == 1 ? k : 3 * k;
+      const std::size_t step = levels.channels == 1 ? 0 : 1;
+      return std::array{EightBits(levels, at), EightBits(levels, at + step),
+                        EightBits(levels, at + 2 * step)};
+    });
   }
-  return {std::move(counts), true, {}};
+  return {std::move(counts), true, {}, std::move(corners)};
 }
 
 // Numbers without a header, low byte first.

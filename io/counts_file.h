@@ -23,6 +23,8 @@ struct CountsFile {
   bool is_mask = false;   ///< 1 where a picture differs from its background: not how often
   /// Of kIds: the triangle at each sample, or kNoPrimitive. The counts are then unset.
   std::vector<std::int32_t> primitive_ids;
+  /// The colours of a picture's corners that are not its background, RRGGBB, each once.
+  std::vector<std::string> corners;
 };
 
 /// What a file is asked for.

@@ -17,6 +17,7 @@
 #include "report/json_writer.h"
 #include "report/picture.h"
 #include "tool/commands.h"
+#include "tool/legal_hints.h"
 #include "tool/progress.h"
 #include "tool/session.h"
 
@@ -162,8 +163,7 @@ int TellDecided(const LegalOptions& options) {
   const Profile profile = WithAssumptions(io::ReadProfile(options.profile), options);
   const Scene scene = LoadScene(options.scene);
   if (const auto why = legal::WhyNotJoint(scene, {profile, scene})) {
-    throw InputError("--profile " + options.profile, *why,
-                     "give a profile whose models state single samples of this scene");
+    throw InputError("--profile " + options.profile, *why, RemedyOf(*why));
   }
   const legal::Decided decided = legal::DecidedSamples(scene, {profile, scene});
   if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));

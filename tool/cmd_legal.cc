@@ -24,6 +24,7 @@
 #include "report/grounds.h"
 #include "report/json_writer.h"
 #include "tool/commands.h"
+#include "tool/legal_hints.h"
 #include "tool/legality.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
@@ -32,7 +33,7 @@ namespace rasterproof::tool {
 namespace {
 
 std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
-                 const JudgedScene& judged) {
+                 const JudgedScene& judged, const std::vector<std::string>& hints) {
   const auto& [scene, profile] = judged;
   const legal::JointVerdict& verdict = judgement.verdict;
   std::string text = fmt::format("{}: profile {}; {}\n", LegalityName(verdict.legality),
@@ -48,6 +49,7 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
   }
   if (verdict.core)
     text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
+  for (const std::string& hint : hints) text += "hint: " + hint + "\n";
   return text;
 }
 
@@ -85,7 +87,8 @@ void WriteRequirement(report::JsonWriter& json, const legal::Requirement& seen) 
 }
 
 std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open,
-                   const Profile& profile, const LegalOptions& options) {
+                   const Profile& profile, const LegalOptions& options,
+                   const std::vector<std::string>& hints) {
   const legal::JointVerdict& verdict = judgement.verdict;
   report::JsonWriter json;
   json.BeginObject();
@@ -117,6 +120,9 @@ std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open
     json.EndArray();
     json.EndObject();
   }
+  json.Key("hints").BeginArray();
+  for (const std::string& hint : hints) json.Text(hint);
+  json.EndArray();
   json.EndObject();
   return json.Finish();
 }
@@ -201,11 +207,13 @@ int RunLegal(const LegalOptions& options) {
   std::optional<std::uint64_t> open;
   if (verdict.legality != legal::Legality::kLegal)
     open = legal::DecidedSamples(scene, {profile, scene}).NumberOpen();
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(judgement, open, profile, options));
+  const std::vector<std::string> hints = HintsOf(options, judged, drawn, verdict);
+  if (!options.json.empty())
+    WriteOutput(options.json, ToJson(judgement, open, profile, options, hints));
   if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
   if (options.json != "-") {
-    io::WriteStandardOutput(Text(judgement, open, judged) + report::AssumptionLines(profile) +
-                            AssumedErrorLine(options));
+    io::WriteStandardOutput(Text(judgement, open, judged, hints) +
+                            report::AssumptionLines(profile) + AssumedErrorLine(options));
   }
   return StatusOf(verdict.legality);
 }

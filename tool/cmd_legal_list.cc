@@ -25,6 +25,7 @@
 #include "tool/exit_status.h"
 #include "tool/interrupt.h"
 #include "tool/known_failures.h"
+#include "tool/legal_hints.h"
 #include "tool/legal_list.h"
 #include "tool/legality.h"
 #include "tool/resolve.h"
@@ -128,6 +129,8 @@ ListLine JudgeListed(const ListedDrawing& listed, SubjectsByProfile& subjects,
   }
   line.compared = "compared: " + compared;
   line.text += "; " + line.compared;
+  for (const std::string& hint : HintsOf(listed.options, judged, drawn, verdict))
+    line.text += "; hint: " + hint;
   if (verdict.legality == legal::Legality::kNotJudged) {
     line.result = ListResult::kOpen;
     line.text += fmt::format("; {} samples are not judged", verdict.not_judged);

@@ -137,6 +137,10 @@ int RunList(const ListOptions& options) {
   if (options.json && options.what != "clauses") {
     throw InputError("--json", "only clauses are listed as JSON", "write list clauses --json");
   }
+  if (!options.prefix.empty() && options.what != "clauses") {
+    throw InputError(options.prefix, "only of clauses is a part listed",
+                     "write list clauses " + options.prefix + ", or leave it out");
+  }
   std::string text;
   const bool all = options.what == "all";
   if (all || options.what == "subjects") text += ListSubjects();
@@ -146,7 +150,8 @@ int RunList(const ListOptions& options) {
   if (all || options.what == "profiles") text += ListProfiles();
   if (all || options.what == "mutants") text += ListMutants();
   if (options.what == "keys") text += ListKeys();
-  if (options.what == "clauses") text += options.json ? ClausesToJson() : ListClauses();
+  if (options.what == "clauses")
+    text += options.json ? ClausesToJson(options.prefix) : ListClauses(options.prefix);
   io::WriteStandardOutput(text);
   return kExitHolds;
 }

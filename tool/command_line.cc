@@ -63,6 +63,8 @@ void AddList(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"subjects", "properties", "domains", "worlds", "profiles", "mutants",
                              "keys", "clauses", "all"}))
       ->capture_default_str();
+  verb->add_option("prefix", options.prefix,
+                   "Of clauses: those whose names begin so, vulkan or gl.common-edge");
   verb->add_flag("--json", options.json, "Clauses as JSON");
   verb->callback([&run] { run = [] { return RunList(options); }; });
 }

@@ -35,7 +35,8 @@ struct ListOptions {
   /// "subjects", "properties", "domains", "worlds", "profiles", "mutants", "keys", "clauses", or
   /// "all" but the last two
   std::string what = "all";
-  bool json = false;  ///< of clauses
+  std::string prefix;  ///< of clauses: those whose ids begin so; empty: all
+  bool json = false;   ///< of clauses
 };
 int RunList(const ListOptions& options);
 

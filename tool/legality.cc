@@ -15,6 +15,7 @@
 #include "io/counts_file.h"
 #include "model/target_profile.h"
 #include "props/judging/witness.h"
+#include "tool/legal_hints.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -33,7 +34,7 @@ std::string SeenOf(const legal::Requirement& seen) {
 }
 
 // "2", "1 to 3".
-std::string RangeText(int least, int most) {
+std::string NumbersText(int least, int most) {
   return least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
 }
 
@@ -61,13 +62,13 @@ std::string RequirementText(const legal::Requirement& seen, std::string_view leg
       fmt::format("{} of triangles {} cover it", SeenOf(seen), fmt::join(seen.triangles, ", "));
   if (seen.legal_by_side) {
     const auto [front, back] = *seen.legal_by_side;
-    text += fmt::format("; {}: {} front and {} back", legal, RangeText(front.least, front.most),
-                        RangeText(back.least, back.most));
+    text += fmt::format("; {}: {} front and {} back", legal, NumbersText(front.least, front.most),
+                        NumbersText(back.least, back.most));
   } else if (seen.legal_least == seen.legal_most) {
     text += fmt::format("; in every legal model {} {}", seen.legal_most,
                         seen.legal_most == 1 ? "does" : "do");
   } else {
-    text += fmt::format("; {}: {}", legal, RangeText(seen.legal_least, seen.legal_most));
+    text += fmt::format("; {}: {}", legal, NumbersText(seen.legal_least, seen.legal_most));
   }
   return text + "\n";
 }
@@ -185,8 +186,7 @@ JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject)
   judged.profile = WithAssumptions(
       subject != nullptr ? subject->Info().profile : io::ReadProfile(options.profile), options);
   if (const auto why = legal::WhyNotJoint(judged.scene, {judged.profile, judged.scene})) {
-    throw InputError("profile " + judged.profile.name, *why,
-                     "give a profile whose models state single samples of this scene");
+    throw InputError("profile " + judged.profile.name, *why, RemedyOf(*why));
   }
   return judged;
 }
@@ -208,6 +208,7 @@ OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
   drawn.has_counts = !options.ids;
   drawn.is_mask = file.is_mask;
   drawn.is_picture = file.is_mask;
+  drawn.corners = std::move(file.corners);
   drawn.last_is_visible = options.visible == "last";
   drawn.any_is_visible = options.visible == "any";
   return drawn;

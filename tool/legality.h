@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "core/drawing.h"
 #include "core/scene.h"
@@ -22,6 +23,8 @@ struct OneCall {
   bool any_is_visible = false;  ///< which of several triangles is visible is not known
   bool has_facings = false;     ///< its counts are by facing
   bool is_picture = false;      ///< a mask that was read from a file
+  /// Of a picture: the colours of its corners that are not the background, RRGGBB.
+  std::vector<std::string> corners = {};
 
   /// Points into this.
   legal::Observed Observed() const;

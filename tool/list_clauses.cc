@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/clauses/clauses.h"
+#include "core/error.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "props/property.h"
@@ -57,21 +59,40 @@ void WriteClause(report::JsonWriter& json, const Clause& clause) {
   json.EndObject();
 }
 
+std::vector<Specification> SpecificationsWith(std::string_view prefix) {
+  std::vector<Specification> found;
+  std::vector<std::string_view> apis;
+  for (const Specification& one : Specifications()) {
+    apis.push_back(one.api);
+    Specification part = one;
+    if (!one.title.starts_with(prefix)) {
+      std::erase_if(part.clauses,
+                    [&](const Clause& clause) { return !clause.id.starts_with(prefix); });
+    }
+    if (!part.clauses.empty() || prefix.empty()) found.push_back(std::move(part));
+  }
+  if (found.empty()) {
+    throw InputError("list clauses " + std::string(prefix), "no clause's name begins so",
+                     fmt::format("clauses begin with {}", fmt::join(apis, ", ")));
+  }
+  return found;
+}
+
 }  // namespace
 
-std::string ListClauses() {
+std::string ListClauses(std::string_view prefix) {
   std::string text;
-  for (const Specification& one : Specifications()) {
+  for (const Specification& one : SpecificationsWith(prefix)) {
     text += fmt::format("{}\n  as read: {}\n", one.title, one.edition);
     for (const Clause& clause : one.clauses) text += LinesOf(clause);
   }
   return text;
 }
 
-std::string ClausesToJson() {
+std::string ClausesToJson(std::string_view prefix) {
   report::JsonWriter json;
   json.BeginArray();
-  for (const Specification& one : Specifications()) {
+  for (const Specification& one : SpecificationsWith(prefix)) {
     json.BeginObject();
     json.Key("api").Text(one.api);
     json.Key("title").Text(one.title);

@@ -33,6 +33,21 @@ class ClausesTest(unittest.TestCase):
         specifications = json.loads(text)
         self.assertGreaterEqual(sum(len(one["clauses"]) for one in specifications), 60)
 
+    def test_clauses_of_one_specification_are_listed(self):
+        status, text, _ = run("list", "clauses", "vulkan")
+        self.assertEqual(status, 0)
+        self.assertIn("vulkan.common-edge", text)
+        self.assertNotIn("gl.common-edge", text)
+        specifications = json.loads(run("list", "clauses", "gl.common", "--json")[1])
+        self.assertEqual([clause["id"] for one in specifications for clause in one["clauses"]],
+                         ["gl.common-edge"])  # fmt: skip
+        title = json.loads(run("list", "clauses", "--json")[1])[0]["title"]
+        self.assertIn(title, run("list", "clauses", title)[1])
+        for arguments, told in ((("clauses", "vulcan"), "vulkan"), (("keys", "x"), "list clauses")):
+            status, text, error = run("list", *arguments)
+            self.assertEqual((status, text), (2, ""))
+            self.assertIn(told, error)
+
     def test_profile_keys_are_listed_with_their_kind_and_values(self):
         status, text, _ = run("list", "keys")
         self.assertEqual(status, 0)

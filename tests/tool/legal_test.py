@@ -7,62 +7,13 @@ import os
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 import xml.etree.ElementTree
-import zlib
 
-PROGRAM = os.path.abspath(sys.argv[1])
-SOURCES = os.path.abspath(sys.argv[2])
-# A square of two triangles on whole pixels and a half: its diagonal passes through samples.
-SQUARE = {"rasterproof_scene": 1, "name": "square", "width": 4, "height": 4,
-          "vertices": [[0.25, 0.25], [3.25, 0.25], [3.25, 3.25], [0.25, 3.25]],
-          "triangles": [[0, 1, 2], [0, 2, 3]]}
+from legal_case import SOURCES, SQUARE, LegalCase, png, run
 
 
-def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
-                          text=True)
-
-
-def png(rows):
-    """A grey picture as the bytes of a PNG file."""
-    def chunk(kind, data):
-        body = kind + data
-        return struct.pack(">I", len(data)) + body + struct.pack(">I", zlib.crc32(body))
-    lines = b"".join(b"\0" + bytes(row) for row in rows)
-    header = struct.pack(">IIBBBBB", len(rows[0]), len(rows), 8, 0, 0, 0, 0)
-    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(lines)) +
-            chunk(b"IEND", b""))
-
-
-class LegalTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.scene = self.write("scene.json", json.dumps(SQUARE))
-
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def path(self, name):
-        return os.path.join(self.folder.name, name)
-
-    def write(self, name, content):
-        with open(self.path(name), "wb" if isinstance(content, bytes) else "w") as file:
-            file.write(content)
-        return self.path(name)
-
-    def drawn(self, profile):
-        counts = run("coverage", self.scene, "--profile", profile)
-        self.assertEqual(counts.returncode, 0, counts.stderr)
-        return [[int(n) for n in line.split()] for line in counts.stdout.splitlines()]
-
-    def as_text(self, rows):
-        return self.write("counts.txt", "\n".join(" ".join(map(str, row)) for row in rows))
-
-    def legal(self, image, profile, *more):
-        return run("legal", self.scene, image, "--profile", profile, *more)
-
+class LegalTest(LegalCase):
     def decided(self, profile, *more):
         return run("legal", self.scene, "--decided", "--profile", profile, *more)
 
@@ -202,6 +153,15 @@ class LegalTest(unittest.TestCase):
         done = run("legal", clip, right, "--profile", "d3d11")
         self.assertEqual(done.returncode, 2)
         self.assertIn("states no error of its transform", done.stderr)
+        self.assertIn("or --assume-transform-error 2, which judges it", done.stderr)
+        done = run("legal", clip, "--decided", "--profile", "d3d11")
+        self.assertIn("or --assume-transform-error 2", done.stderr)
+        whole = {"name": "whole", "scene": "scene.json", "image": "right.txt"}
+        done = self.listed(whole, dict(whole, name="clipped", scene="clip.json"),
+                           options=("--profile", "d3d11"))
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        for told in ("[1] (clipped)", "or --assume-transform-error 2"):
+            self.assertIn(told, done.stderr)
         done = run("legal", clip, right, *judged, "--json", self.path("legal.json"))
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertIn("assumed, for no specification states it: the transform", done.stdout)
@@ -220,31 +180,6 @@ class LegalTest(unittest.TestCase):
         image = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))
         self.assertEqual(self.legal(image, "vulkan").returncode, 0)
         self.assertEqual(self.legal(image, "vulkan", "--background", "ffffff").returncode, 1)
-
-    def test_a_verdict_says_what_was_compared(self):
-        rows = self.drawn("vulkan-canonical")
-        counts = self.as_text(rows)
-        picture = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))
-        once = "covered or not; a sample covered twice is not seen"
-        for drawing, told in (
-                ((picture,), once + ": give counts (or --ids)"),
-                ((counts,), "counts; facings are not seen"),
-                ((counts, "--ids"), "ids: each covers its sample; which of several triangles is on "
-                                    "top is not judged"),
-                ((counts, "--ids", "--visible", "last"), "ids, of several triangles that of the "
-                                                         "last one"),
-                (("--subject", "i64-snap8"), "counts and facings"),
-                (("--subject", "legal:vulkan-farthest-mask"), once)):
-            done = run("legal", self.scene, *drawing, "--profile", "vulkan", "--json",
-                       self.path("out.json"))
-            self.assertIn(f"\ncompared: {told}\n", done.stdout, done.stderr)
-            with open(self.path("out.json")) as file:
-                self.assertEqual(json.load(file)["compared"], told)
-        entry = {"name": "shown", "scene": "scene.json", "image": "image.png", "profile": "vulkan"}
-        done = self.listed(entry, options=("--junit", self.path("out.xml")))
-        self.assertIn("compared: " + once, done.stdout)
-        (case,) = xml.etree.ElementTree.parse(self.path("out.xml")).getroot().iter("testcase")
-        self.assertIn("compared: " + once, case.find("system-out").text)
 
     def test_a_picture_may_be_pgm_ppm_or_raw_bytes(self):
         rows = self.drawn("vulkan-canonical")
@@ -324,44 +259,6 @@ class LegalTest(unittest.TestCase):
         self.assertIn("column 0 row 1: 1 front and 0 back of triangles 1 cover it; legal: "
                       "0 front and 1 back\n", done.stdout)  # fmt: skip
 
-    def test_ids_that_no_model_shows_are_told_with_those_that_one_does(self):
-        # Both triangles cover the first row; the second is drawn last.
-        scene = dict(SQUARE, triangles=[[0, 1, 2], [0, 1, 2]])
-        self.scene = self.write("over.json", json.dumps(scene))
-        shown = self.as_text([[1, 1, 0, 0], [0, 2, 2, 0], [0, 0, 2, 2], [0, 0, 0, 0]])
-        for visible, told in (("any", ("2 row 0: shows no triangle; legal: 0 or 1\n",)),
-                              ("last", ("1 row 0: shows triangle 0; legal: 1\n",
-                                        "2 row 0: shows no triangle; legal: 1\n")),
-                              ("first", ("2 row 1: shows triangle 1; legal: 0\n",))):
-            done = self.legal(shown, "vulkan", "--ids", "--visible", visible)
-            self.assertEqual(done.returncode, 1)
-            for one in told:
-                self.assertIn("  column " + one, done.stdout)
-            self.assertIn("column 3 row 2: no legal model lets any triangle", done.stdout)
-
-    def test_all_wrong_samples_are_told(self):
-        rows = self.drawn("vulkan-canonical")
-        rows[0] = [0] * 4
-        done = self.legal(self.as_text(rows), "vulkan", "--json", self.path("out.json"))
-        self.assertIn("the values of 3 samples contradict every legal model", done.stdout)
-        for column in range(3):
-            self.assertIn(f"  column {column} row 0: 0 of triangles", done.stdout)
-        with open(self.path("out.json")) as file:
-            core = json.load(file)["core"]
-        self.assertEqual((core["wrong_by_themselves"], [one["index"] for one in core["samples"]]),
-                         (3, [0, 1, 2]))  # fmt: skip
-        side = 40
-        large = {"rasterproof_scene": 1, "width": side, "height": side,
-                 "vertices": [[-100, -100], [300, -100], [-100, 300]], "triangles": [[0, 1, 2]]}
-        self.scene = self.write("large.json", json.dumps(large))
-        done = self.legal(self.as_text([[0] * side] * side), "vulkan", "--json", "-")
-        core = json.loads(done.stdout)["core"]
-        self.assertEqual((core["wrong_by_themselves"], len(core["samples"])), (1600, 1000))
-
-    def listed(self, *entries, options=()):
-        path = self.write("list.json", json.dumps(list(entries)))
-        return run("legal", "--list", path, *options)
-
     def test_a_list_is_judged_entry_by_entry(self):
         rows = self.drawn("vulkan-canonical")
         self.as_text(rows)
@@ -439,12 +336,6 @@ class LegalTest(unittest.TestCase):
         self.assertIn("gl.one-position", [one["statement"] for one in printed["assumed"]])
         twice = run("legal", self.scene, "--subject", "textbook", "--profile", "gl")
         self.assertEqual(twice.returncode, 1, twice.stdout + twice.stderr)
-
-    def refused(self, *arguments, names):
-        result = run(*arguments)
-        self.assertEqual(result.returncode, 2, result.stdout)
-        for name in names:
-            self.assertIn(name, result.stderr)
 
     def test_bad_input_is_refused_with_the_place(self):
         rows = self.drawn("real")

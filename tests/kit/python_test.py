@@ -1,6 +1,6 @@
 """The Python package: arrays in and out, verdicts on functions of this process, strategies.
 
-usage: python_test.py PACKAGE_FOLDER ORACLE COMMAND EXAMPLES
+usage: python_test.py PACKAGE_FOLDER ORACLE COMMAND EXAMPLES [TEST...]
 Without numpy, Hypothesis or pytest the tests that need them are skipped and say so.
 """
 import contextlib
@@ -32,6 +32,18 @@ SQUARE = np.array([[[0, 0], [8, 0], [0, 8]], [[8, 0], [8, 8], [0, 8]]], float)
 
 def exact(triangles, size):
     return rp.coverage(triangles, size, "real")
+
+
+def covers_both_sides_of_horizontal_edges(triangles, size):
+    counts = np.zeros(size[::-1], int)
+    for triangle in triangles:
+        covered = exact(triangle[np.newaxis], size)
+        for (x, y), (end, other) in zip(triangle, np.roll(triangle, -1, axis=0)):
+            if y == other and y % 1 == 0.5 and 0 <= y < size[1]:
+                x, end = np.clip([min(x, end) + 0.5, max(x, end) - 0.5], 0, size[0]).astype(int)
+                covered[int(y), x:end] = 1
+        counts += covered
+    return counts
 
 
 class Arrays(unittest.TestCase):
@@ -227,6 +239,19 @@ class Strategies(unittest.TestCase):
         once()
         self.assertGreater(max(seen), 2)
 
+    def test_meshes_find_wrong_ties_within_a_hundred_examples(self):
+        import hypothesis
+
+        from rasterproof.strategies import meshes
+
+        for wrong in (textbook, covers_both_sides_of_horizontal_edges):
+            def once(mesh):
+                assert wrong(mesh, (16, 16)).max() <= 1  # noqa: B023
+
+            fewer = hypothesis.settings(self.settings, max_examples=100)
+            with self.subTest(wrong.__name__), self.assertRaises(AssertionError):
+                fewer(hypothesis.given(meshes(shared_edges=True))(once))()
+
     def test_plain_triangles_stay_on_their_grid(self):
         from hypothesis import given
 
@@ -270,4 +295,4 @@ class Fixture(unittest.TestCase):
 if __name__ == "__main__":
     import unittest.mock
 
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[5:])

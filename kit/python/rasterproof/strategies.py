@@ -1,5 +1,6 @@
 """Hypothesis strategies for triangles on a grid, which shrink to small whole numbers.
 
+    @settings(deadline=None)
     @given(triangles(near_edge=True))
     def test_mine(t):
         assert rasterproof.legal(t, (16, 16), draw(t, (16, 16)), "vulkan")
@@ -9,6 +10,9 @@ import numpy as np
 from hypothesis import strategies as st
 
 __all__ = ["meshes", "triangles"]
+
+# The directions of spokes, an eighth of a turn each.
+_COMPASS = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)])
 
 
 def _scale(bits):
@@ -21,6 +25,10 @@ def _points(size, one, margin):
     return st.tuples(*(st.integers(-margin * one, (side + margin) * one) for side in size))
 
 
+def _centres(size, one):
+    return st.tuples(*(st.integers(0, side - 1).map(lambda k: k * one + one // 2) for side in size))
+
+
 def triangles(near_edge=False, *, size=(16, 16), bits=8, margin=4):
     """One triangle, float64 (1, 3, 2), on the grid of 2^-bits pixels, up to `margin` outside.
 
@@ -31,8 +39,7 @@ def triangles(near_edge=False, *, size=(16, 16), bits=8, margin=4):
 
     @st.composite
     def near(draw):
-        column, row = (draw(st.integers(0, side - 1)) for side in size)
-        centre = np.array([column * one + one // 2, row * one + one // 2])
+        centre = np.array(draw(_centres(size, one)))
         along = np.array(draw(st.tuples(st.integers(-one, one), st.integers(-one, one))))
         before, after = (draw(st.integers(0, margin)) for _ in range(2))
         off = np.array(draw(st.tuples(st.integers(-1, 1), st.integers(-1, 1))))
@@ -49,23 +56,61 @@ def triangles(near_edge=False, *, size=(16, 16), bits=8, margin=4):
 
 
 def meshes(shared_edges=True, *, size=(16, 16), bits=8, most=6):
-    """Triangles, float64 (n, 3, 2), n from 2 to `most`. With shared_edges they form a fan of a
-    convex polygon, wound alike: each inner edge belongs to two, and nothing is covered twice."""
+    """Triangles, float64 (n, 3, 2), n from 2 to `most`, on the grid of 2^-bits pixels.
+
+    With shared_edges they form a fan, wound alike: each inner edge belongs to two, and nothing is
+    covered twice. Most have an inner edge through pixels' centres (with bits=0 on diagonals alone),
+    horizontal, vertical, diagonal or steep: where a wrong tie rule shows. The others fill a convex
+    polygon, whose edges lie anywhere.
+    """
     one = _scale(bits)
+    if most < 2:
+        raise ValueError(f"most: {most}; give 2 or more triangles")
 
     @st.composite
-    def fan(draw):
+    def spokes(draw):
+        """Round a centre, with whole pixels along directions of the compass."""
+        hub = np.array(draw(_centres(size, one)))
+        turns = [draw(st.integers(0, 7))]
+        gaps = draw(st.lists(st.integers(1, 3), min_size=2, max_size=min(most, 8)))
+        for gap in gaps:
+            if turns[-1] + gap <= turns[0] + 8:
+                turns.append(turns[-1] + gap)
+        rim = [hub + _COMPASS[turn % 8] * draw(st.integers(1, 4)) * one for turn in turns]
+        if turns[-1] == turns[0] + 8:
+            rim[-1] = rim[0]
+        return [[hub, a, b] for a, b in zip(rim, rim[1:])]
+
+    @st.composite
+    def pair(draw):
+        """On both sides of an edge that goes through a centre, whole pixels to its ends."""
+        centre = np.array(draw(_centres(size, one)))
+        along = np.array(draw(st.tuples(st.integers(-3, 3), st.integers(-3, 3))))
+        if not along.any():
+            along = np.array((1, 0))
+        a = centre - along * draw(st.integers(0, 3)) * one
+        b = centre + along * draw(st.integers(1, 3)) * one
+        across = np.array([-along[1], along[0]])
+
+        def apex(side):
+            beside = draw(st.integers(-2 * one, 2 * one)) * along
+            return centre + beside + side * draw(st.integers(1, 2 * one)) * across
+
+        return [[a, b, apex(1)], [b, a, apex(-1)]]
+
+    @st.composite
+    def polygon(draw):
         # Corners of a convex polygon: sums of edge vectors in the order of their directions.
         edges = draw(st.lists(st.tuples(st.integers(-4 * one, 4 * one), st.integers(1, 4 * one)),
                               min_size=3, max_size=most + 1, unique_by=lambda e: e[0] / e[1]))
         edges.sort(key=lambda e: -e[0] / e[1])
         corners = np.cumsum([(0, 0), *edges], axis=0)
         corners += np.array(draw(_points(size, one, 1)))
-        fans = [[corners[0], corners[k], corners[k + 1]] for k in range(1, len(corners) - 1)]
-        if draw(st.booleans()):
-            fans = [triangle[::-1] for triangle in fans]
-        return np.array(fans) / one
+        return [[corners[0], corners[k], corners[k + 1]] for k in range(1, len(corners) - 1)]
+
+    def turned(fan):
+        return st.booleans().map(lambda back: np.array([t[::-1] if back else t for t in fan]) / one)
 
     if shared_edges:
-        return fan()
+        return st.one_of(spokes(), pair(), polygon()).flatmap(turned)
     return st.lists(triangles(size=size, bits=bits), min_size=2, max_size=most).map(np.concatenate)

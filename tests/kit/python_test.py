@@ -5,8 +5,10 @@ Without numpy, Hypothesis or pytest the tests that need them are skipped and say
 """
 import contextlib
 import io
+import json
 import os
 import pathlib
+import shlex
 import signal
 import subprocess
 import sys
@@ -147,11 +149,15 @@ class Verdicts(unittest.TestCase):
             while True:
                 pass
 
+        def is_killed(triangles, size):
+            os.kill(os.getpid(), signal.SIGKILL)
+
         def floats(triangles, size):
-            return exact(triangles, size) * 1.0
+            counts = exact(triangles, size)
+            return counts if size == (7, 5) else counts * 1.0
 
         def transposed(triangles, size):
-            return exact(triangles, size[::-1])
+            return exact(triangles, size if size == (7, 5) else size[::-1])
 
         def refuses(triangles, size):
             raise rp.Refused("never")
@@ -159,6 +165,7 @@ class Verdicts(unittest.TestCase):
         for draw, said, status in (
             (raises, "KeyError: 'not mine' (python_test.py, line", 1),
             (crashes, "was killed by signal 11", 1),
+            (is_killed, "was killed by signal 9", 1),
             (hangs, "hangs", 1),
             (floats, "float64 numbers, not integers", 1),
             (transposed, "its answer's array has shape", 1),
@@ -169,6 +176,46 @@ class Verdicts(unittest.TestCase):
                                   options=["--time-limit", "0.2", "--no-cause"])
                 self.assertEqual(report.status, status, report.text)
                 self.assertIn(said, report.text)
+
+    def test_what_a_wrong_draw_returns_is_told_before_any_case(self):
+        def drawn(made):
+            return lambda triangles, size: made(exact(triangles, size))
+
+        for said, draw, options in (
+            ("it returned None", drawn(lambda counts: None), {}),
+            ("it returned float64 numbers", drawn(lambda counts: counts * 1.0), {}),
+            (r"shape \(7, 5\); give integers of shape \(5, 7\)", drawn(np.transpose), {}),
+            (r"give integers of shape \(2, 5, 7\)", exact, {"coverage": "facing-counts"}),
+            (r"give integers of shape \(5, 7, 4\)", exact, {"profile": "d3d11-canonical-4x"}),
+            ("a list of one array", lambda scenes: exact(*scenes[0]), {"batches": True}),
+        ):
+            with self.subTest(said), self.assertRaisesRegex(rp.BadArgument, said):
+                rp.check(draw, cases=1, **options)
+        nested = rp.check(drawn(np.ndarray.tolist), cases=1, properties="CoverageEqualsTheModel")
+        self.assertTrue(nested, nested.text)
+        with self.assertRaisesRegex(rp.BadArgument, "did you mean vulkan.*\n *real, d3d11"):
+            rp.check(exact, "vulcan")
+        with self.assertRaisesRegex(rp.BadArgument, "name: 'a b'; give letters"):
+            rp.check(exact, name="a b")
+
+    def test_progress_is_not_in_the_text(self):
+        from rasterproof import checking
+
+        lines = "  certifying: 5 of 89 after 4 s; 1 more at work\n  scene map: after 9 s\nend\n"
+        self.assertEqual(checking._PROGRESS.sub("", lines), "end\n")
+
+    def test_a_certificate_lies_under_the_name_and_its_failures_are_data(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scenes = pathlib.Path(folder, "scenes.json")
+            ties = {"name": "ties", "kind": "hard", "path": f"{EXAMPLES}/../../scenes/ties.json"}
+            scenes.write_text(json.dumps({"rasterproof_scene_set": 1, "scenes": [ties]}))
+            report = rp.certify(textbook, pathlib.Path(folder, "out"), cases=2, scenes=scenes,
+                                name="mine", progress=False)  # fmt: skip
+            self.assertIn('testsuite name="mine.subject"',
+                          pathlib.Path(folder, "out/mine.subject/junit.xml").read_text("utf-8"))
+        self.assertEqual(report.status, 1, report.text)
+        self.assertIn("CoverageEqualsTheModel", report.violated)
+        self.assertIn("--subject mine.subject", report.failures[0]["next"])
 
     def test_what_a_draw_prints_is_no_answer(self):
         def chatty(triangles, size):
@@ -200,6 +247,21 @@ class Verdicts(unittest.TestCase):
                 env=os.environ | {"PYTHONPATH": f"{PACKAGE}:{EXAMPLES}"}, check=False)  # fmt: skip
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertIn("observed covered 2 times", done.stdout)
+        self.assertNotIn("Warning", done.stderr)
+
+    def test_the_commands_that_a_report_prints_run_as_they_stand(self):
+        report = rp.check(textbook, cases=5, properties="CoverageEqualsTheModel")
+        text = report.text.split("for these commands write draw.subject, beside your module:\n")[1]
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, "draw.subject").write_text(
+                "".join(line[2:] + "\n" for line in text.splitlines()), encoding="utf-8")
+            words = shlex.split(report.failures[0]["next"])
+            done = subprocess.run(
+                [COMMAND, *words[1:], "--memory-limit", "0"], text=True, capture_output=True,
+                cwd=folder, env=os.environ | {"PYTHONPATH": f"{PACKAGE}:{EXAMPLES}"},
+                check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("observed 1, expected 0", done.stdout)
 
 
 class Strategies(unittest.TestCase):

@@ -14,8 +14,8 @@ name, a dict with the keys of docs/subjects.md, the text of one as JSON, or a pa
 
 from ._oracle import (MAY, MUST, MUST_NOT, BadArgument, NotDecided, Profile, Verdict, barycentrics,
                       bounds, coverage, decided, edge_sign, legal, place)
+from ._serve import Refused
 from .checking import Report, certify, check
-from .serve import Refused
 
 __all__ = [
     "MAY", "MUST", "MUST_NOT", "BadArgument", "NotDecided", "Profile", "Refused", "Report",

@@ -16,6 +16,7 @@ with socket.socket(socket.AF_UNIX) as host:
     status = host.recv(16)  # of the process that draws, when it ends; nothing: the host is gone
 code = int(status) if status else 1
 if code < 0:
-    signal.signal(-code, signal.SIG_DFL)
+    if -code not in (signal.SIGKILL, signal.SIGSTOP):  # these two have no other action
+        signal.signal(-code, signal.SIG_DFL)
     os.kill(os.getpid(), -code)
 sys.exit(code)

@@ -1,18 +1,7 @@
-"""A function that draws, as a program on rasterproof's pipe (protocol 3, arrays in NPY).
+"""Answers requests of protocol 3, arrays in NPY, with a function that draws."""
 
-    rasterproof check --subject mine.subject
-with the lines
-    command python3 -m rasterproof.serve mine:draw
-    protocol 3
-
-`draw(triangles, size)` gets float64 (n, 3, 2), pixels, and (width, height), and returns how many
-triangles cover each sample: integers (height, width), or (height, width, samples).
-"""
-
-import importlib
 import io
 import os
-import sys
 import traceback
 
 import numpy as np
@@ -78,6 +67,16 @@ def where(error):
     return " ".join(f"{type(error).__name__}: {error}{at}".split())
 
 
+def of_wrong_type(counts):
+    """What is wrong with the type of an answer's numbers, or nothing."""
+    if counts.dtype.kind in "bui":
+        return ""
+    if counts.dtype == object:
+        inside = "None" if counts.ndim == 0 and counts.item() is None else "no array of numbers"
+        return f"it returned {inside}; return an array of integers"
+    return f"it returned {counts.dtype} numbers, not integers"
+
+
 def answer(number, act):
     """The answer to one request: an array, or how it ended. A traceback is shown once."""
     try:
@@ -89,8 +88,8 @@ def answer(number, act):
             traceback.print_exc()
             answer.has_shown = True
         return f"fault {number} {where(error)}\n".encode()
-    if counts.dtype.kind not in "bui":
-        return f"fault {number} it returned {counts.dtype} numbers, not integers\n".encode()
+    if said := of_wrong_type(counts):
+        return f"fault {number} {said}\n".encode()
     return f"counts {number} npy\n".encode() + array_bytes(counts)
 
 
@@ -119,18 +118,3 @@ def serve(draw, requests, replies, *, clip=False, batches=False):
         for k, number in enumerate(numbers):
             replies.write(answer(number, lambda k=k: one(k)))
         replies.flush()
-
-
-def main():
-    if len(sys.argv) != 2 or ":" not in sys.argv[1]:
-        sys.exit("usage: python3 -m rasterproof.serve MODULE:FUNCTION")
-    module, _, name = sys.argv[1].partition(":")
-    sys.path.insert(0, "")
-    draw = getattr(importlib.import_module(module), name)
-    replies = os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what it prints is no answer
-    serve(draw, sys.stdin.buffer, replies)
-
-
-if __name__ == "__main__":
-    main()

@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import pathlib
+import re
 import selectors
 import shlex
 import shutil
@@ -19,8 +20,8 @@ import sys
 import tempfile
 from typing import NamedTuple
 
-from . import serve
-from ._oracle import BadArgument, profile_text
+from . import _probe, _serve
+from ._oracle import BadArgument, NotDecided, Profile, profile_text
 
 _RELAY = pathlib.Path(__file__).with_name("_relay.py")
 
@@ -30,7 +31,7 @@ class Report(NamedTuple):
 
     status: int  # of the command: 0 holds, 1 violated, 3 a fault of its own, 4 inconclusive
     text: str  # what it printed
-    failures: tuple = ()  # of check(), dicts: property, cause, case, next; see docs/programs.md
+    failures: tuple = ()  # dicts: property, message, case, next and more; see docs/programs.md
 
     def __bool__(self):
         return self.status == 0
@@ -106,7 +107,7 @@ class _Host:
         except (BrokenPipeError, KeyboardInterrupt):
             pass
         except BaseException as error:
-            print(serve.where(error), file=sys.stderr)
+            print(_serve.where(error), file=sys.stderr)
         finally:
             sys.stderr.flush()
             os._exit(status)
@@ -129,14 +130,38 @@ class _Host:
         with copy.connection, contextlib.suppress(OSError):
             copy.connection.send(str(os.waitstatus_to_exitcode(status)).encode())
 
-    def run(self, process):
+    def hear(self, process, said, shows):
+        """Adds what the process writes to standard error to the file, and shows it."""
+        end = process.stderr.fileno()
+        os.set_blocking(end, False)
+        while text := self.heard(end):
+            said.write(text)
+            if shows:
+                sys.stderr.write(text.decode(errors="replace"))
+                sys.stderr.flush()
+        if text == b"":
+            with contextlib.suppress(KeyError):
+                self.looks.unregister(end)
+
+    @staticmethod
+    def heard(end):
+        """Bytes; none at the end of the file, and None if there is nothing yet."""
+        try:
+            return os.read(end, 1 << 16)
+        except BlockingIOError:
+            return None
+
+    def run(self, process, said, shows):
         """Serves until the process ends."""
+        self.looks.register(process.stderr, selectors.EVENT_READ,
+                            lambda _: self.hear(process, said, shows))  # fmt: skip
         ended = os.pidfd_open(process.pid)
         self.looks.register(ended, selectors.EVENT_READ, None)
         try:
             while True:
                 for key, _ in self.looks.select():
                     if key.fd == ended:
+                        self.hear(process, said, shows)
                         return process.wait()
                     if key.data:
                         key.data(key.fd)
@@ -145,6 +170,7 @@ class _Host:
                 process.terminate()
                 process.wait()
             self.close()
+            process.stderr.close()
             os.close(ended)
 
     def close(self):
@@ -159,8 +185,19 @@ class _Host:
 
 
 def _name_of(draw, name):
+    if name is not None and not re.fullmatch(r"[A-Za-z0-9_][A-Za-z0-9._-]*", name):
+        raise BadArgument(f"name: {name!r}; give letters, digits, '_', '-' and '.'")
     name = name or getattr(draw, "__name__", type(draw).__name__)
-    return (name if name.isidentifier() else "draw") + ".subject"
+    return (name if name.isascii() and "<" not in name else "draw") + ".subject"
+
+
+def _served(draw):
+    """The function as rasterproof.serve names it; a guess for what no module has by its name."""
+    module, name = getattr(draw, "__module__", None), getattr(draw, "__qualname__", "")
+    if module == "__main__":
+        file = getattr(sys.modules[module], "__file__", None)
+        module = pathlib.Path(file).stem if file else None
+    return f"{module or 'mine'}:{name if name.isidentifier() else 'draw'}"
 
 
 def _description(profile, *, format, coverage, clip, batches, relay):  # noqa: A002
@@ -175,39 +212,88 @@ def _description(profile, *, format, coverage, clip, batches, relay):  # noqa: A
     return "\n".join(lines) + "\n"
 
 
-def _run(verb, draw, profile, options, stream, *, name, format, coverage,  # noqa: A002
+_PATHS = {"--bench", "--cases-json", "--json", "--junit", "--known", "--out", "-o", "--save",
+          "--scene", "--scenes"}  # fmt: skip
+_PROGRESS = re.compile(r"^  .* after \d+ s(; \d+ more at work)?\n", re.MULTILINE)
+
+
+def _absolute(words):
+    """The command runs in another folder: paths after the options that take one, made absolute."""
+    made = []
+    for word in map(str, words):
+        option, equals, path = word.partition("=")
+        if made and made[-1] in _PATHS and word != "-":
+            word = os.path.abspath(word)
+        elif equals and option in _PATHS and path != "-":
+            word = f"{option}={os.path.abspath(path)}"
+        made.append(word)
+    return made
+
+
+def _run(verb, draw, profile, options, found, *, shows, name, format, coverage,  # noqa: A002
          clip, batches):  # fmt: skip
+    """The report; `found(folder)` reads the failures from what the command wrote."""
     if not callable(draw):
         raise BadArgument(f"draw: a {type(draw).__name__}; give a function of (triangles, size)")
     program = command()
+    name = _name_of(draw, name)
+    served = [sys.executable or "python3", "-m", "rasterproof.serve", *["--clip"] * clip,
+              *["--batches"] * batches, _served(draw)]  # fmt: skip
+    stated = {"profile": profile, "format": format, "coverage": coverage, "clip": clip,
+              "batches": batches}  # fmt: skip
+    own = _description(**stated, relay=shlex.join(served))
+    samples = 0
+    with contextlib.suppress(NotDecided):
+        samples = Profile(profile).samples
+    if said := _probe.wrong_answer(draw, samples, coverage, clip=clip, batches=batches):
+        raise BadArgument(said)
 
     def act(requests, replies):
-        serve.serve(draw, requests, replies, clip=clip, batches=batches)
+        _serve.serve(draw, requests, replies, clip=clip, batches=batches)
 
     with tempfile.TemporaryDirectory(prefix="rasterproof-") as folder:
         host = _Host(folder, act)
         relay = shlex.join([sys.executable, "-S", "-E", str(_RELAY), host.path])
-        described = pathlib.Path(folder, _name_of(draw, name))
-        described.write_text(_description(profile, format=format, coverage=coverage, clip=clip,
-                                          batches=batches, relay=relay),
-                             encoding="utf-8")  # fmt: skip
-        said = pathlib.Path(folder, "said")
-        found = pathlib.Path(folder, "found.json")
+        pathlib.Path(folder, name).write_text(_description(**stated, relay=relay),
+                                              encoding="utf-8")  # fmt: skip
+        words = [program, verb, "--subject", name, *_absolute(options)]
         if verb == "check":
-            options = [*options, "--json", str(found)]
-        with open(said, "wb") as out:
-            process = subprocess.Popen([program, verb, "--subject", str(described), *options],
-                                       stdin=subprocess.DEVNULL, stdout=out,
-                                       stderr=out if stream is None else None)  # fmt: skip
-        status = host.run(process)
-        text = said.read_text(encoding="utf-8", errors="replace")
+            words += ["--json", os.path.join(folder, "found.json")]
+        path = pathlib.Path(folder, "said")
+        # Both append to it: the lines keep their order.
+        with open(path, "ab") as out, open(path, "ab", buffering=0) as said:
+            process = subprocess.Popen(words, cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
+                                       stderr=subprocess.PIPE)  # fmt: skip
+            status = host.run(process, said, shows)
+        text = _PROGRESS.sub("", path.read_text(encoding="utf-8", errors="replace"))
         if status == 2:
             raise BadArgument(text.strip())
-        failures = ()
-        if found.exists():
-            subjects = json.loads(found.read_text(encoding="utf-8"))["subjects"]
-            failures = tuple(each for subject in subjects for each in subject["failures"])
-        return Report(status, text.replace(str(described), described.name), failures)
+        if f"--subject {name}" in text:
+            text += f"for these commands write {name}, beside your module:\n" + "".join(
+                f"  {line}\n" for line in own.splitlines())  # fmt: skip
+        return Report(status, text, found(folder))
+
+
+def _failures_of_check(folder):
+    path = pathlib.Path(folder, "found.json")
+    if not path.exists():
+        return ()
+    subjects = json.loads(path.read_text(encoding="utf-8"))["subjects"]
+    return tuple(each for subject in subjects for each in subject["failures"])
+
+
+def _failures_of_certificate(path):
+    """Properties of a certificate that are violated, with the keys of check()'s that it has."""
+    if not path.exists():
+        return ()
+    document = json.loads(path.read_text(encoding="utf-8"))
+    return tuple(
+        {"property": each["property"], "clause": each["clause"], "message": each["message"],
+         "outcome": "violated", "fails": document["verdict"] == "violated",
+         "case": each.get("counterexample", {}).get("case"),
+         "next": each.get("counterexample", {}).get("replay")}
+        for each in [*document["exhausted"], *document["tested"]]
+        if each.get("outcome") == "violated")  # fmt: skip
 
 
 def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=None, save=None,
@@ -221,24 +307,44 @@ def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=Non
                 such pairs, and a list of arrays comes back. Raise Refused for what it can't take.
     profile     what it states; what legal rasterizers may differ in is not held against it.
     cases       for each property. `scenes` are files: drawn as well.
+    properties  a name, or several.
     format      the numbers that it takes: float32, float64 or "fixed 12.4 signed".
     coverage    what it returns: counts, facing-counts (2, height, width), mask, primitive-id.
     save        a folder: shrunk failures are kept there and asked first the next time.
     options     more words for `rasterproof check`.
 
-    Returns a Report. Raises BadArgument for what the command says is bad input.
+    Returns a Report. Raises BadArgument for what the command says is bad input, and at once where
+    what a plain triangle's draw returns has a wrong type or shape.
     """
+    properties = [properties] if isinstance(properties, str) else properties
+    scenes = [scenes] if isinstance(scenes, (str, os.PathLike)) else scenes
     words = ["--cases", str(cases), "--memory-limit", "0"]
     words += [word for each in properties for word in ("--property", each)]
     words += [word for each in scenes for word in ("--scene", str(each))]
     words += ["--seed", str(seed)] if seed is not None else []
     words += ["--save", str(save)] if save else []
-    return _run("check", draw, profile, [*words, *options], True if progress else None, name=name,
-                format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip
+    return _run("check", draw, profile, [*words, *options], _failures_of_check, shows=progress,
+                name=name, format=format, coverage=coverage, clip=clip,
+                batches=batches)  # fmt: skip
 
 
-def certify(draw, out, profile="real", *, format="float32", coverage="counts",  # noqa: A002
-            clip=False, batches=False, name=None, options=()):  # fmt: skip
-    """The whole catalogue and the bundled scenes: a certificate and a report page in `out`."""
-    return _run("certify", draw, profile, ["--out", str(out), *options], True, name=name,
+def certify(draw, out, profile="real", cases=100, *, scenes=None, seed=None,
+            format="float32", coverage="counts", clip=False, batches=False,  # noqa: A002
+            name=None, options=(), progress=True):  # fmt: skip
+    """The whole catalogue and the bundled scenes: a certificate and a report page in `out`.
+
+    out         a folder; certificate.json and junit.xml lie in its folder NAME.subject, where NAME
+                is `name` or the function's.
+    scenes      a scene set in place of scenes/certify.json. The largest there has 69,666 triangles
+                on 1024 x 1024: a draw can't have an array of triangles x pixels.
+
+    All else is as for check(). A failure in the report has the keys property, clause, outcome,
+    fails, message, case and next; samples of scenes that are wrong are in the certificate alone.
+    """
+    words = ["--out", str(out), "--cases", str(cases)]
+    words += ["--scenes", str(scenes)] if scenes else []
+    words += ["--seed", str(seed)] if seed is not None else []
+    certificate = pathlib.Path(out, _name_of(draw, name), "certificate.json").absolute()
+    return _run("certify", draw, profile, [*words, *options],
+                lambda _: _failures_of_certificate(certificate), shows=progress, name=name,
                 format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip

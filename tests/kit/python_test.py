@@ -217,6 +217,17 @@ class Verdicts(unittest.TestCase):
         self.assertIn("CoverageEqualsTheModel", report.violated)
         self.assertIn("--subject mine.subject", report.failures[0]["next"])
 
+    def test_paths_in_options_are_seen_from_where_the_caller_stands(self):
+        from rasterproof import checking
+
+        at = os.getcwd()
+        self.assertEqual(
+            checking._absolute(["--known", "a", "--save=b", "--profile", "gl", "--json", "-", "c"]),
+            ["--known", f"{at}/a", f"--save={at}/b", "--profile", "gl", "--json", "-", "c"])
+        with tempfile.NamedTemporaryFile(dir=at) as file:
+            name = os.path.basename(file.name)
+            self.assertEqual(checking._absolute(["--profile", name])[1], f"{at}/{name}")
+
     def test_what_a_draw_prints_is_no_answer(self):
         def chatty(triangles, size):
             print("drawing")

@@ -212,20 +212,24 @@ def _description(profile, *, format, coverage, clip, batches, relay):  # noqa: A
     return "\n".join(lines) + "\n"
 
 
-_PATHS = {"--bench", "--cases-json", "--json", "--junit", "--known", "--out", "-o", "--save",
+_PATHS = {"--bench", "--cases-json", "--json", "--known", "--out", "-o", "--profile", "--save",
           "--scene", "--scenes"}  # fmt: skip
 _PROGRESS = re.compile(r"^  .* after \d+ s(; \d+ more at work)?\n", re.MULTILINE)
 
 
 def _absolute(words):
     """The command runs in another folder: paths after the options that take one, made absolute."""
+    def moved(option, path):
+        is_name = path == "-" or (option == "--profile" and not os.path.exists(path))
+        return path if is_name else os.path.abspath(path)
+
     made = []
     for word in map(str, words):
         option, equals, path = word.partition("=")
-        if made and made[-1] in _PATHS and word != "-":
-            word = os.path.abspath(word)
-        elif equals and option in _PATHS and path != "-":
-            word = f"{option}={os.path.abspath(path)}"
+        if made and made[-1] in _PATHS:
+            word = moved(made[-1], word)
+        elif equals and option in _PATHS:
+            word = f"{option}={moved(option, path)}"
         made.append(word)
     return made
 
@@ -328,20 +332,22 @@ def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=Non
                 batches=batches)  # fmt: skip
 
 
-def certify(draw, out, profile="real", cases=100, *, scenes=None, seed=None,
+def certify(draw, out, profile="real", cases=None, *, scenes=None, seed=None,
             format="float32", coverage="counts", clip=False, batches=False,  # noqa: A002
             name=None, options=(), progress=True):  # fmt: skip
     """The whole catalogue and the bundled scenes: a certificate and a report page in `out`.
 
     out         a folder; certificate.json and junit.xml lie in its folder NAME.subject, where NAME
                 is `name` or the function's.
+    cases       for each property; left out: 100.
     scenes      a scene set in place of scenes/certify.json. The largest there has 69,666 triangles
                 on 1024 x 1024: a draw can't have an array of triangles x pixels.
 
     All else is as for check(). A failure in the report has the keys property, clause, outcome,
     fails, message, case and next; samples of scenes that are wrong are in the certificate alone.
     """
-    words = ["--out", str(out), "--cases", str(cases)]
+    words = ["--out", str(out)]
+    words += ["--cases", str(cases)] if cases is not None else []
     words += ["--scenes", str(scenes)] if scenes else []
     words += ["--seed", str(seed)] if seed is not None else []
     certificate = pathlib.Path(out, _name_of(draw, name), "certificate.json").absolute()

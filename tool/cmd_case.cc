@@ -106,8 +106,14 @@ props::CampaignOptions ShrinkingBy(const Subject& subject, std::uint64_t evaluat
 
 namespace {
 
+void RequireDraws(const LoadedCase& loaded) {
+  const std::string place = ShownName(loaded.value.scene.name);
+  RequireTakes(*loaded.subject, loaded.value.scene, place);
+  RequireDrawsSamples(*loaded.subject, loaded.value.profile, place);
+}
+
 Verdict Judge(const LoadedCase& loaded) {
-  RequireTakes(*loaded.subject, loaded.value.scene, ShownName(loaded.value.scene.name));
+  RequireDraws(loaded);
   return props::RunCase(*loaded.subject, PropertyOf(loaded), loaded.value);
 }
 
@@ -118,7 +124,7 @@ std::string PropertyName(const LoadedCase& loaded) {
 // The smallest case that fails as the loaded one does takes its place and is written.
 Verdict Shrink(const ReplayOptions& options, LoadedCase& loaded) {
   const Scene& given = loaded.value.scene;
-  RequireTakes(*loaded.subject, given, ShownName(given.name));
+  RequireDraws(loaded);
   Progress progress;
   props::CampaignOptions campaign = ShrinkingBy(*loaded.subject, options.evaluations);
   campaign.shrinking = [&](std::uint64_t evaluations) {

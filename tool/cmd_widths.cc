@@ -193,7 +193,8 @@ void SaveWitnesses(const std::string& folder, const exact::EdgeUnit& unit,
     file.value.origin =
         fmt::format("widths: {} takes {}, which {} bits do not hold: {}", width.value,
                     Decimal(width.extreme), width.bits - 1, InputText(unit, width));
-    file.subject = "spans-exact";
+    // Of rasterproof's own subjects, the oracle draws the samples of any profile.
+    file.subject = unit.pattern == SamplePattern{} ? "spans-exact" : "exact";
     file.property = "CoverageEqualsTheModel";
     const auto path = std::filesystem::path(folder) / (width.id + ".json");
     io::WriteFile(path.string(), io::CaseToJson(file));

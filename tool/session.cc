@@ -153,6 +153,22 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
 }
 
+void RequireDrawsSamples(const Subject& subject, const Profile& profile, const std::string& place) {
+  const SubjectInfo& info = subject.Info();
+  const bool is_fixed = subjects::IsBuiltin(info.name) || subjects::IsMutant(info.name);
+  const int drawn = (is_fixed ? subject.OwnInfo() : info).profile.pattern.samples();
+  const int needed = profile.pattern.samples();
+  if (drawn == needed) return;
+  const auto samples = [](int n) { return n == 1 ? "one sample" : fmt::format("{} samples", n); };
+  const std::string remedy = fmt::format(
+      "name another subject, such as --subject exact{}",
+      is_fixed ? ", or a --plugin" : ", or state by --profile which samples this one draws");
+  throw InputError(place,
+                   fmt::format("subject {} draws {} a pixel, and this case has {}", info.name,
+                               samples(drawn), needed),
+                   remedy);
+}
+
 namespace {
 
 // Whether a file is none of text: no JSON, then, but bytes that a fuzzer saved.
@@ -272,7 +288,12 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const Subje
     throw InputError(choice.path, "the file names no subject", "give --subject");
   }
   loaded.value = file.value;
-  loaded.subject = Made(subject, choice, make);
+  // The oracle models any profile, and so the one that the case is judged by.
+  if (!make && file.states_profile && choice.profile.empty() && IsOracle(subject)) {
+    loaded.subject = MakeOracle(subject, file.value.profile);
+  } else {
+    loaded.subject = Made(subject, choice, make);
+  }
   // A scene states nothing: what is judged is what the subject does.
   if (!file.states_profile || !choice.profile.empty()) {
     loaded.value.profile = loaded.subject->Info().profile;

@@ -69,6 +69,11 @@ std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& s
 /// Throws InputError unless the subject takes the scene; says what to do instead.
 void RequireTakes(const Subject& subject, const Scene& scene, const std::string& place);
 
+/// Error:      InputError if the subject draws another number of samples a pixel than a case has
+///             that is judged by the profile. Rasterproof's own draw what they draw, whatever
+///             profile they are judged by.
+void RequireDrawsSamples(const Subject& subject, const Profile& profile, const std::string& place);
+
 /// Writes to the file, or to standard output if the path is "-".
 void WriteOutput(const std::string& path, std::string_view content);
 

@@ -80,14 +80,16 @@ class WidthsTest(unittest.TestCase):
             told = json.load(file)
         self.assertEqual(told["samples"], [[0.375, 0.125], [0.875, 0.375], [0.125, 0.625],
                                            [0.625, 0.875]])  # fmt: skip
-        # They are for a unit with these samples: the built-in methods have one in each pixel.
-        path = os.path.join(self.folder, "cases", "direct-e-box.json")
-        with open(path, encoding="utf-8") as file:
-            case = json.load(file)
-        places = case["profile"]["sample_locations"]
-        self.assertEqual([[float.fromhex(x) for x in place] for place in places],
-                         told["samples"])  # fmt: skip
-        self.assertIn("E takes ", case["origin"])
+        for name in ("direct-e-box", "direct-e-target"):
+            for subject in ((), ("--subject", "exact-integers")):
+                replayed = run("replay", f"cases/{name}.json", *subject, folder=self.folder)
+                self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
+                self.assertIn("holds", replayed.stdout)
+            other = run("replay", f"cases/{name}.json", "--subject", "spans-exact",
+                        folder=self.folder)  # fmt: skip
+            self.assertEqual((other.returncode, other.stdout), (2, ""))
+            self.assertIn("spans-exact draws one sample a pixel, and this case has 4",
+                          other.stderr)  # fmt: skip
 
     def test_bad_input_is_told_and_writes_nothing(self):
         for wrong, said in ((("--fixed", "12", "--target", "64x64"), "before and after the point"),

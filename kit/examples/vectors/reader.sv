@@ -1,7 +1,9 @@
 // Judges a rasterizer of whole numbers by vectors: 8 subpixel bits, one sample, y down.
 //   rasterproof vectors generate --profile P --format readmemh --out FOLDER
 //   cd FOLDER && iverilog -g2012 -I . -o reader .../reader.sv && vvp reader
-// -P reader.INCLUSIVE=1: a wrong tie rule, which is convicted.
+// or, by Verilator 5 (tried with 5.006):
+//   cd FOLDER && verilator --binary -Wno-WIDTH -I. --top reader .../reader.sv && obj_dir/Vreader
+// -P reader.INCLUSIVE=1, or -GINCLUSIVE=1 for Verilator: a wrong tie rule, which is convicted.
 `include "vectors.svh"
 
 module reader;

@@ -42,10 +42,15 @@ struct CoverageCounts {
   }
 
   /// Adds counts of the same shape.
+  ///
+  /// Error:      InputError if there are more of one than of the other.
   CoverageCounts& operator+=(const CoverageCounts& more);
 
   friend bool operator==(const CoverageCounts&, const CoverageCounts&) = default;
 };
+
+/// Error:      InputError if there are more of one than of the other.
+void RequireAsMany(const CoverageCounts& a, const CoverageCounts& b);
 
 /// The differences between a subject's counts and the expected ones. Missing and unexpected samples
 /// are counted separately.
@@ -59,6 +64,7 @@ struct CoverageDifference {
 };
 
 /// Domain:     both of the same shape.
+/// Error:      InputError if there are more of one than of the other.
 CoverageDifference Compare(const CoverageCounts& observed, const CoverageCounts& expected);
 
 }  // namespace rasterproof

@@ -18,6 +18,7 @@
 #include "core/authority.h"
 #include "core/counters.h"
 #include "core/error.h"
+#include "core/quoted.h"
 #include "core/result.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
@@ -300,11 +301,22 @@ void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedChe
   if (error) std::rethrow_exception(error);
 }
 
+// A case is judged by what the subject states, which may be another model than the file's.
+void NoteOtherProfile(const SubjectInfo& info, const GivenCase& given,
+                      const CheckOptions& options) {
+  if (!given.states_profile || !options.profile.empty()) return;
+  if (SameModel(given.value.profile, info.profile)) return;
+  Tell(fmt::format("note: {}: judged by {}'s profile {}; the file's is another, {}: --profile\n",
+                   given.place, info.name, Quoted(info.profile.name, 60),
+                   Quoted(given.value.profile.name, 60)));
+}
+
 void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
                 const CheckOptions& options, FailFast& fail_fast, Progress& progress,
                 Findings& found) {
   for (const GivenCase& given : asked.cases) {
     const Case c = CaseFor(crew.Of(0), given);
+    NoteOtherProfile(crew.Of(0).Info(), given, options);
     std::exception_ptr error;
     std::vector<Share> shares = ShareOut(
         crew, asked.properties,

@@ -38,6 +38,7 @@
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -265,6 +266,17 @@ const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
   return hand.Result().verdict;
 }
 
+// Shrinks the case with a program that is reached by files alone.
+std::string ShrinkLine(const PipeOptions& options, const std::string& case_name) {
+  std::string line = fmt::format(
+      "to shrink it by files, where the program can't be started from here:\n"
+      "  rasterproof pipe shrink --case {} --property {}",
+      ShellWord(case_name), options.property);
+  if (!options.description.empty()) line += " --description " + ShellWord(options.description);
+  if (!options.profile.empty()) line += " --profile " + ShellWord(options.profile);
+  return line + " --rounds shrinking --output small.json\n";
+}
+
 // Of a run that asked for no drawing at all.
 void ReportNotExercised(const props::Property& property, std::uint64_t cases,
                         const std::string& why_not) {
@@ -350,7 +362,8 @@ int RunJudge(const PipeOptions& options) {
         Shown shown(info, all.of_picture.draws.empty() ? CoverageCounts()
                                                        : all.of_picture.draws.front()->counts);
         failures = FailureText(shown, choice.property, c, verdict, CommandFor("replay", choice),
-                               /*colour=*/false);
+                               /*colour=*/false) +
+                   ShrinkLine(options, c.origin);
       }
     }
   }

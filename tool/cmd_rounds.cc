@@ -173,6 +173,7 @@ int ShrinkInRounds(const ShrinkRoundsOptions& options) {
   });
   RequireShrinkable(loaded);
   RequireTakes(*loaded.subject, loaded.value.scene, "case");
+  RequireDrawsSamples(*loaded.subject, loaded.value.profile, "case");
   RoundsTask task{{"verb", "shrink"},
                   {"description or profile", StatementsOf(described.Info())},
                   {"case", HashText(io::CaseToJson({loaded.value, "", ""}))},

@@ -1,6 +1,7 @@
 // rasterproof vectors verify: answers that contradict every legal drawing.
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -64,6 +65,18 @@ VectorsDrawn DrawBy(Subject& subject, const std::vector<TestVector>& vectors) {
   return drawn;
 }
 
+// The file's text. What is written for a test bench is no file of vectors to judge by.
+std::string VectorsText(const std::string& path) {
+  const bool is_folder = path != "-" && std::filesystem::is_directory(path);
+  std::string text = is_folder ? std::string() : io::ReadFile(path);
+  const bool is_table = text.starts_with("//") || text.starts_with("/*");
+  if (!is_folder && !is_table) return text;
+  throw InputError(path == "-" ? "standard input" : path,
+                   "verify reads the format jsonl alone, and this was written in another",
+                   "generate it again with the same options and --format jsonl; cases of the same "
+                   "name are the same");
+}
+
 std::string Plural(std::uint64_t n, const std::string& what) {
   return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s");
 }
@@ -104,7 +117,7 @@ int RunVerify(const VerifyOptions& options) {
     return path == "-" ? std::string("standard input") : path;
   };
   const io::VectorsFile file =
-      io::ParseVectors(io::ReadFile(options.vectors), place(options.vectors));
+      io::ParseVectors(VectorsText(options.vectors), place(options.vectors));
   VectorsDrawn drawn{.triangles = {}, .in_one_call = !options.alone};
   if (options.subject.empty()) {
     drawn.triangles =

@@ -270,7 +270,7 @@ std::multimap<std::string, GivenCase> SavedIn(const std::string& folder) {
       throw InputError(path, "the file in the folder of saved failures names no property",
                        "move it out of the folder, or give it as a --scene");
     }
-    saved.emplace(file.property, GivenCase{path, file.value, {}});
+    saved.emplace(file.property, GivenCase{path, file.value, {}, file.states_profile});
   }
   return saved;
 }
@@ -295,7 +295,9 @@ ResolvedCheck ResolveCheck(const CheckOptions& options) {
   for (const std::string& path : options.scenes) {
     GivenCase& given = asked.cases.emplace_back();
     given.place = path;
-    given.value = io::ReadCase(Located(path)).value;
+    io::CaseFile file = io::ReadCase(Located(path));
+    given.value = std::move(file.value);
+    given.states_profile = file.states_profile;
   }
   for (const std::string& name : options.named) {
     GivenCase& given = asked.cases.emplace_back();

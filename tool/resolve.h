@@ -93,6 +93,7 @@ struct GivenCase {
   std::string place;  ///< as the user gave it
   Case value;
   std::optional<props::CaseName> name;
+  bool states_profile = false;  ///< its file says by what model it was judged
 };
 
 /// What `check` was asked.

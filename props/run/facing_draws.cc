@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject_info.h"
@@ -80,6 +81,7 @@ void AddFacingDraw(const FacingDraw& part, CoverageKind coverage, const Coverage
     counts += drawn;
     return;
   }
+  RequireAsMany(counts, drawn);
   std::vector<std::uint32_t>& side = part.is_back ? counts.back : counts.front;
   for (std::size_t k = 0; k < side.size(); ++k) side[k] += drawn.Count(k);
 }

@@ -1,5 +1,6 @@
 #include "core/coverage.h"
 
+#include "core/error.h"
 #include "gtest/gtest.h"
 
 namespace rasterproof {
@@ -28,6 +29,16 @@ TEST(CoverageTest, AWrongFacingIsWrongButNeitherGapNorOverlap) {
   const CoverageDifference difference = Compare(observed, expected);
   EXPECT_EQ(difference.wrong, 1U);
   EXPECT_EQ(difference.missing + difference.unexpected, 0U);
+}
+
+TEST(CoverageTest, CountsOfOtherSamplesAreNeitherReadNorAdded) {
+  CoverageCounts one(2, 2, 1);
+  CoverageCounts four(2, 2, 4);
+  EXPECT_THROW(Compare(one, four), InputError);
+  EXPECT_THROW(Compare(four, one), InputError);
+  EXPECT_THROW(four += one, InputError);
+  EXPECT_THROW(one += four, InputError);
+  EXPECT_EQ(one, CoverageCounts(2, 2, 1));
 }
 
 }  // namespace

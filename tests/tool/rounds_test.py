@@ -4,6 +4,7 @@ usage: rounds_test.py PROGRAM SOURCES
 """
 import json
 import os
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -96,6 +97,21 @@ class RoundsTest(unittest.TestCase):
         self.assertEqual(in_rounds, self.small())
         self.assertEqual(done.stdout, here.stdout)
         self.assertEqual(len(json.loads(in_rounds)["scene"]["triangles"]), 2)
+
+    def test_judge_prints_the_line_that_starts_it(self):
+        self.describe("inclusive")
+        chosen = ("--description", "mine.subject", "--property", PROPERTY, "--cases", "10")
+        asked = self.run_here("pipe", "ask", *chosen).stdout
+        said = subprocess.run([sys.executable, DRAWS, "inclusive"], input=asked, timeout=300,
+                              capture_output=True, check=True, text=True).stdout  # fmt: skip
+        judged = subprocess.run([PROGRAM, "pipe", "judge", *chosen], input=said, timeout=300,
+                                capture_output=True, cwd=self.folder, text=True)  # fmt: skip
+        self.assertEqual(judged.returncode, 1, judged.stderr)
+        line = next(line for line in judged.stdout.splitlines() if "pipe shrink" in line)
+        done = self.run_here(*shlex.split(line)[1:])
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "shrinking",
+                                                    "round-1.requests")))  # fmt: skip
 
     def test_a_case_that_holds_has_nothing_to_shrink(self):
         self.describe()

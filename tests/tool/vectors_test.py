@@ -243,6 +243,14 @@ class VectorsTest(unittest.TestCase):
             with self.subTest(str(changed)):
                 self.refused(self.verify("vulkan", "\n".join(lines)), *words)
         self.refused(run("verify", path), "give a file of answers, or a subject")
+        out = os.path.join(self.folder.name, "table")
+        for form, tables in (("c", (out + ".h",)), ("readmemh", (out, out + "/vectors.svh"))):
+            made = run("generate", "--profile", "d3d11-canonical", "--cases", "3", "--format", form,
+                       "--out", tables[0])  # fmt: skip
+            self.assertEqual(made.returncode, 0, made.stderr)
+            for table in tables:
+                with self.subTest(table):
+                    self.refused(run("verify", table, good), "jsonl alone", "--format jsonl")
         self.refused(run("verify", path, "--subject", "spans-exact-4x"), "subject")
 
     def test_profiles_without_single_samples_are_refused_before_anything_is_written(self):

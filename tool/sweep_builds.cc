@@ -122,6 +122,25 @@ InputError NoBuild(const std::string& word) {
           "write gcc, clang, clang-19, i386, aarch64, or flags that begin with -"};
 }
 
+// The last of the words that begins so; empty if none does.
+std::string LastWord(const std::string& words, std::string_view begin) {
+  std::string last;
+  std::istringstream in(words);
+  for (std::string word; in >> word;) {
+    if (word.starts_with(begin)) last = word;
+  }
+  return last;
+}
+
+// What a compiler does without the flag. In the modes of ISO C, and not in those of C++, gcc does
+// not contract.
+std::string UsualContraction(bool is_gcc, std::string_view standard) {
+  if (!is_gcc) return "-ffp-contract=on";
+  const bool is_iso_c = (standard.starts_with("-std=c") && !standard.starts_with("-std=c++")) ||
+                        standard.starts_with("-std=iso");
+  return is_iso_c ? "-ffp-contract=off" : "-ffp-contract=fast";
+}
+
 bool IsGivenToBoth(const Choice& choice, const Choices& choices) {
   return choice.kind == Kind::kLinkFlag &&
          std::ranges::find(choices, Choice{Kind::kFlag, choice.value}) != choices.end();
@@ -204,13 +223,15 @@ SweepBuild BuildFrom(const std::string& words, const std::string& cflags) {
       throw NoBuild(word);
     }
   }
-  const std::string all = " " + cflags + " " + words;
-  const auto says = [&](std::string_view begin) { return all.find(begin) != all.npos; };
-  if (!says(" -O")) build.choices.push_back(Flag("-O0"));
-  // In the modes of ISO C gcc does not contract. What -ffast-math means comes with it.
-  const bool is_gcc = ValueOf(build.choices, Kind::kCompiler, "gcc") == "gcc";
-  if (!says(" -ffp-contract=") && !(is_gcc && (says(" -std=c") || says(" -ansi"))))
-    build.choices.push_back(Flag(is_gcc ? "-ffp-contract=fast" : "-ffp-contract=on"));
+  const std::string all = cflags + " " + words;
+  const std::string level = LastWord(all, "-O");
+  if (LastWord(words, "-O").empty()) build.choices.push_back(Flag(level.empty() ? "-O0" : level));
+  const std::string contract = LastWord(all, "-ffp-contract=");
+  if (LastWord(words, "-ffp-contract=").empty()) {
+    const bool is_gcc = ValueOf(build.choices, Kind::kCompiler, "gcc") == "gcc";
+    build.choices.push_back(
+        Flag(contract.empty() ? UsualContraction(is_gcc, LastWord(all, "-std=")) : contract));
+  }
   return build;
 }
 

@@ -42,9 +42,9 @@ std::vector<SweepBuild> PairsOf(const std::vector<SweepBuild>& builds);
 
 /// A build in the user's words, apart by blanks: "clang -O3 -ffast-math". Words that begin with "-"
 /// are flags, to compile and to link; the others name the compiler (gcc, clang, clang-19, or these
-/// of C++) or the target (i386, aarch64). Of the flags of the base it has none: where the words,
-/// after `cflags`, say nothing of optimisation or contraction, it has what the compiler does then,
-/// as flags. Throws InputError for any other word.
+/// of C++) or the target (i386, aarch64). It has none of the base's flags: of optimisation and
+/// contraction it has as flags what the words say, else what `cflags` do, else what the compiler
+/// does without a flag. Throws InputError for any other word.
 SweepBuild BuildFrom(const std::string& words, const std::string& cflags);
 
 /// The compiler and target of a build, and what their programs are called.

@@ -78,5 +78,18 @@ TEST(MakeExchangeable, MakesSymbolsGlobalAndTakesThemOutOfGroups) {
   EXPECT_EQ(made.text.find(".local"), std::string::npos);
 }
 
+TEST(BuildFrom, WritesOutWhatACompilerDoesByItself) {
+  const auto name = [](const char* words, const char* cflags) {
+    return BuildName(BuildFrom(words, cflags).choices);
+  };
+  const std::string gcc = "gcc -march=x86-64 ";
+  EXPECT_EQ(name("g++ -O3", "-std=c++20"), gcc + "-O3 -ffp-contract=fast");
+  EXPECT_EQ(name("gcc -O3 -std=gnu11", ""), gcc + "-O3 -std=gnu11 -ffp-contract=fast");
+  EXPECT_EQ(name("gcc -O3", "-std=c11"), gcc + "-O3 -ffp-contract=off");
+  EXPECT_EQ(name("gcc", "-O1 -ffp-contract=on -O2"), gcc + "-O2 -ffp-contract=on");
+  EXPECT_EQ(name("gcc", ""), gcc + "-O0 -ffp-contract=fast");
+  EXPECT_EQ(name("clang++ -Os", "-std=c11"), "clang -march=x86-64 -Os -ffp-contract=on");
+}
+
 }  // namespace
 }  // namespace rasterproof::tool

@@ -306,9 +306,9 @@ void NoteOtherProfile(const SubjectInfo& info, const GivenCase& given,
                       const CheckOptions& options) {
   if (!given.states_profile || !options.profile.empty()) return;
   if (SameModel(given.value.profile, info.profile)) return;
-  Tell(fmt::format("note: {}: judged by {}'s profile {}; the file's is another, {}: --profile\n",
-                   given.place, info.name, Quoted(info.profile.name, 60),
-                   Quoted(given.value.profile.name, 60)));
+  Tell(fmt::format(
+      "note: {}: judged by {}'s profile {}, which is not the file's, {}: --profile names another\n",
+      given.place, info.name, Quoted(info.profile.name, 60), Quoted(given.value.profile.name, 60)));
 }
 
 void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,

@@ -85,6 +85,9 @@ class WidthsTest(unittest.TestCase):
                 replayed = run("replay", f"cases/{name}.json", *subject, folder=self.folder)
                 self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
                 self.assertIn("holds", replayed.stdout)
+            noted = run("check", f"cases/{name}.json", "--subject", "spans-exact", "--property",
+                        "CoverageEqualsTheModel", folder=self.folder)  # fmt: skip
+            self.assertIn("judged by spans-exact's profile", noted.stderr)
             other = run("replay", f"cases/{name}.json", "--subject", "spans-exact",
                         folder=self.folder)  # fmt: skip
             self.assertEqual((other.returncode, other.stdout), (2, ""))

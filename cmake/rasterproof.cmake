@@ -44,6 +44,8 @@ if(RASTERPROOF_SANITIZE)
     # Null pointers and objects too small are AddressSanitizer's as well; twice cost a fifth more.
     -fno-sanitize=null,object-size)
   target_link_options(rasterproof_flags INTERFACE -fsanitize=${RASTERPROOF_SANITIZE})
+  # The other builds check the format strings of fmt.
+  target_compile_definitions(rasterproof_flags INTERFACE FMT_CONSTEVAL=)
 endif()
 # libFuzzer is told which branches an input took in what is put to the test, in the oracle and in
 # the recipes; not what was compared, which costs a third of the time, and what decides here are
@@ -94,13 +96,6 @@ set(for_shared -fno-semantic-interposition)
 set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory>
   <optional> <span> <string> <string_view> <vector>)
 file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
-if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
-  add_library(rasterproof_precompiled OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
-  target_link_libraries(rasterproof_precompiled PRIVATE rasterproof_flags)
-  target_compile_options(rasterproof_precompiled PRIVATE ${for_shared})
-  set_target_properties(rasterproof_precompiled PROPERTIES POSITION_INDEPENDENT_CODE ON)
-  target_precompile_headers(rasterproof_precompiled PRIVATE ${standard_headers})
-endif()
 # What takes long in a test is the libraries' code, and in compiling it what sanitizers insert.
 if(RASTERPROOF_LUMPS AND RASTERPROOF_SANITIZE)
   set(test_optimisation -O0)
@@ -108,6 +103,20 @@ elseif(RASTERPROOF_LUMPS)
   set(test_optimisation -O1)
 else()
   set(test_optimisation)
+endif()
+# A precompiled header is for the options of one target and of those that are compiled like it.
+function(rasterproof_precompile name)
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
+  target_link_libraries(${name} PRIVATE rasterproof_flags)
+  target_compile_options(${name} PRIVATE ${for_shared} ${ARGN})
+  set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_precompile_headers(${name} PRIVATE ${standard_headers})
+endfunction()
+if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
+  rasterproof_precompile(rasterproof_precompiled)
+endif()
+if(RASTERPROOF_LUMPS)
+  rasterproof_precompile(rasterproof_precompiled_text ${test_optimisation})
 endif()
 if(RASTERPROOF_TESTS)
   add_library(rasterproof_precompiled_test OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
@@ -127,12 +136,14 @@ function(rasterproof_headers target scope)
     $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/rasterproof>)
 endfunction()
 
-# rasterproof_library(NAME SOURCES a.cc ... [LINK target ...] [PRIVATE_LINK target ...] [LUMP n])
+# rasterproof_library(NAME SOURCES a.cc ... [LINK target ...] [PRIVATE_LINK target ...] [LUMP n]
+#   [TEXT])
 # makes the static library rasterproof_NAME. LINK is for what its headers include, PRIVATE_LINK for
 # what only its sources do; both name whole targets (rasterproof_core, fmt::fmt). LUMP: files at a
-# time, 10 where it is left out.
+# time, 10 where it is left out. TEXT: it reads options and writes text, which takes longer to be
+# optimised than to be compiled, so that in lumps it is optimised no more than tests.
 function(rasterproof_library name)
-  cmake_parse_arguments(ARG "" "LUMP" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
+  cmake_parse_arguments(ARG "TEXT" "LUMP" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   if(NOT ARG_LUMP)
     set(ARG_LUMP 10)
   endif()
@@ -143,28 +154,21 @@ function(rasterproof_library name)
   set_target_properties(rasterproof_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
   rasterproof_headers(rasterproof_${name} PUBLIC)
   rasterproof_lump(rasterproof_${name} ${ARG_LUMP})
-  if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
+  if(ARG_TEXT AND RASTERPROOF_LUMPS)
+    target_compile_options(rasterproof_${name} PRIVATE ${test_optimisation})
+    target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled_text)
+  elseif(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
     target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled)
   endif()
 endfunction()
 
-# rasterproof_unoptimised(TARGET ...): code that reads options and writes text. Sanitized it takes
-# twice as long to be optimised as to be compiled.
-function(rasterproof_unoptimised)
-  if(RASTERPROOF_LUMPS AND RASTERPROOF_SANITIZE)
-    foreach(target ${ARGN})
-      target_compile_options(${target} PRIVATE -O0)
-      # A precompiled header is for one level alone, and one more costs more than it saves here.
-      set_target_properties(${target} PROPERTIES DISABLE_PRECOMPILE_HEADERS ON)
-    endforeach()
-  endif()
-endfunction()
-
-# rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [TIMEOUT s])
-# makes one GoogleTest program per folder; ctest runs every test case of it as one ctest test
-# "NAME". Where sanitizers slow it down it runs a share of its cases: see tests/share.h.
+# rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [TIMEOUT s]
+#   [SHARDS n])
+# makes one GoogleTest program per folder; ctest runs all its test cases as one ctest test "NAME",
+# or as n of them, "NAME_1" and so on, that share them out. Where sanitizers slow it down it runs a
+# share of its cases: see tests/share.h.
 function(rasterproof_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;SHARDS" "SOURCES;LINK;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 600)
   endif()
@@ -174,12 +178,29 @@ function(rasterproof_test name)
   rasterproof_lump(${name} 10)
   target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_test)
   target_compile_options(${name} PRIVATE ${test_optimisation})
-  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
-  # Those that take longest begin first, or one core waits for the other at the end.
-  if(name STREQUAL mutants_test)
-    set_tests_properties(${name} PROPERTIES COST 100)
-  elseif(name MATCHES "^(props|bench|sample_properties|infer|centroid|fragment_tolerance)_test$")
-    set_tests_properties(${name} PROPERTIES COST 50)
+  set(tests ${name})
+  if(ARG_SHARDS)
+    set(tests "")
+    foreach(shard RANGE 1 ${ARG_SHARDS})
+      list(APPEND tests ${name}_${shard})
+    endforeach()
   endif()
+  set(shard 0)
+  foreach(test ${tests})
+    add_test(NAME ${test} COMMAND ${name} --gtest_brief=1 WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(${test} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+    if(ARG_SHARDS)
+      set_tests_properties(${test} PROPERTIES
+        ENVIRONMENT "GTEST_TOTAL_SHARDS=${ARG_SHARDS};GTEST_SHARD_INDEX=${shard}"
+        # `./run test` names the folder of the results; each shard has a file there.
+        ENVIRONMENT_MODIFICATION "GTEST_OUTPUT=string_append:${test}.xml")
+      math(EXPR shard "${shard} + 1")
+    endif()
+    # Those that take longest begin first, or one core waits for the other at the end.
+    if(name STREQUAL mutants_test)
+      set_tests_properties(${test} PROPERTIES COST 100)
+    elseif(name MATCHES "^(props|bench)_test$")
+      set_tests_properties(${test} PROPERTIES COST 50)
+    endif()
+  endforeach()
 endfunction()

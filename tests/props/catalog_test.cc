@@ -68,7 +68,7 @@ TEST(Catalog, EveryDomainThatAPropertyNamesExists) {
 }
 
 // Runs every property that has something to say about the subject.
-class SoundSubjects : public testing::TestWithParam<std::string_view> {};
+class SoundSubjects : public ::testing::TestWithParam<std::string_view> {};
 
 TEST_P(SoundSubjects, HoldOnEveryCase) {
   constexpr std::uint64_t kCases = Cases<std::uint64_t>(36);
@@ -87,7 +87,8 @@ TEST_P(SoundSubjects, HoldOnEveryCase) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Exact, SoundSubjects,
-                         testing::Values("spans-exact", "filtered-exact", "i64-snap8", "hom-exact"),
+                         ::testing::Values("spans-exact", "filtered-exact", "i64-snap8",
+                                           "hom-exact"),
                          [](const auto& info) {
                            std::string name(info.param);
                            std::erase(name, '-');

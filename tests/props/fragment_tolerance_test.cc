@@ -97,7 +97,7 @@ FakeSubject Honest(const Form& form) {
   });
 }
 
-class FragmentTolerance : public testing::TestWithParam<Form> {};
+class FragmentTolerance : public ::testing::TestWithParam<Form> {};
 
 TEST_P(FragmentTolerance, AUsualFormNeedsNoStatement) {
   FakeSubject subject = Honest(GetParam());
@@ -114,14 +114,14 @@ TEST_P(FragmentTolerance, AUsualFormNeedsNoStatement) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, FragmentTolerance,
-                         testing::Values(Form{"vertex area", OverVertexArea, ByBarycentrics},
-                                         Form{"vertex area, deltas", OverVertexArea, ByDeltas},
-                                         Form{"sum", OverTheirSum, ByBarycentrics},
-                                         Form{"sum, deltas", OverTheirSum, ByDeltas},
-                                         Form{"one minus", OneMinusTheOthers, ByBarycentrics},
-                                         Form{"one minus, deltas", OneMinusTheOthers, ByDeltas},
-                                         Form{"one minus first", OneMinusTheOthersFirst,
-                                              ByDeltas}));
+                         ::testing::Values(Form{"vertex area", OverVertexArea, ByBarycentrics},
+                                           Form{"vertex area, deltas", OverVertexArea, ByDeltas},
+                                           Form{"sum", OverTheirSum, ByBarycentrics},
+                                           Form{"sum, deltas", OverTheirSum, ByDeltas},
+                                           Form{"one minus", OneMinusTheOthers, ByBarycentrics},
+                                           Form{"one minus, deltas", OneMinusTheOthers, ByDeltas},
+                                           Form{"one minus first", OneMinusTheOthersFirst,
+                                                ByDeltas}));
 
 }  // namespace
 }  // namespace rasterproof::props

@@ -74,7 +74,7 @@ class Installed(unittest.TestCase):
                    "CoverageEqualsTheModel", cwd="/")  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stderr)
         done = run(self.command, "sweep", os.path.join(SOURCES, "kit/examples/plugin.c"), "--cases",
-                   "2", cwd=self.folder.name)  # fmt: skip
+                   "2", "--build", "-O3", cwd=self.folder.name)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def test_headers_need_no_other_folder(self):

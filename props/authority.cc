@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -43,20 +44,6 @@ bool IsOfOtherSquares(const Clause& clause, const Profile& profile) {
   });
 }
 
-std::vector<const Clause*> ClausesFor(const Property& property, const Profile& profile,
-                                      const Specification& specification) {
-  std::vector<const Clause*> clauses;
-  for (const std::string_view id : property.required_by) {
-    const Clause* clause = FindClause(id);
-    if (clause == nullptr) continue;  // a test sees to it that there is none
-    const std::string_view api = ApiOf(*clause);
-    if (api != specification.api && api != specification.base) continue;
-    if (IsOfOtherSquares(*clause, profile)) continue;
-    clauses.push_back(clause);
-  }
-  return clauses;
-}
-
 // Whether it follows from the profile, or from what the subject states beside it.
 bool FollowsFromTheProfile(const Property& property, const Profile& profile,
                            bool is_of_a_specification) {
@@ -66,13 +53,27 @@ bool FollowsFromTheProfile(const Property& property, const Profile& profile,
 
 }  // namespace
 
-Grounds AuthorityOf(const Property& property, const Profile& profile) {
+std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
+                                      const Profile& profile) {
   const Specification* specification = SpecificationOf(profile);
-  if (specification != nullptr) {
-    std::vector<const Clause*> clauses = ClausesFor(property, profile, *specification);
-    if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};
+  std::vector<const Clause*> clauses;
+  if (specification == nullptr) return clauses;
+  for (const std::string_view id : ids) {
+    const Clause* clause = FindClause(id);
+    if (clause == nullptr) continue;  // a test sees to it that there is none
+    const std::string_view api = ApiOf(*clause);
+    if (api != specification->api && api != specification->base) continue;
+    if (IsOfOtherSquares(*clause, profile)) continue;
+    clauses.push_back(clause);
   }
-  const bool is_stated = FollowsFromTheProfile(property, profile, specification != nullptr);
+  return clauses;
+}
+
+Grounds AuthorityOf(const Property& property, const Profile& profile) {
+  std::vector<const Clause*> clauses = ClausesFor(property.required_by, profile);
+  if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};
+  const bool is_stated =
+      FollowsFromTheProfile(property, profile, SpecificationOf(profile) != nullptr);
   return {is_stated ? Authority::kStatedModel : Authority::kQuality, {}};
 }
 

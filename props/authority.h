@@ -2,6 +2,8 @@
 #ifndef RASTERPROOF_PROPS_AUTHORITY_H_
 #define RASTERPROOF_PROPS_AUTHORITY_H_
 
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "core/authority.h"
@@ -16,6 +18,11 @@ struct Grounds {
   Authority authority = Authority::kStatedModel;
   std::vector<const Clause*> clauses = {};  ///< kClause: at least one, in the row's order
 };
+
+/// Returns those of the clauses that bind a subject that states the profile: of its specification,
+/// or of its base, and about its squares, if it has any. Empty if it is no specification's.
+std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
+                                      const Profile& profile);
 
 /// Returns who asks for the property of a subject that states the profile.
 ///

@@ -23,6 +23,7 @@
 #include "props/judging/witness.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
+#include "tool/broken_rules.h"
 #include "tool/commands.h"
 #include "tool/legal_hints.h"
 #include "tool/legality.h"
@@ -49,6 +50,7 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
   }
   if (verdict.core)
     text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
+  text += BrokenRuleLines(judgement.broken, profile);
   for (const std::string& hint : hints) text += "hint: " + hint + "\n";
   return text;
 }
@@ -86,6 +88,15 @@ void WriteRequirement(report::JsonWriter& json, const legal::Requirement& seen) 
   json.EndObject();
 }
 
+// As `check --json` has them; what no clause requires is the stated model's.
+void WriteRules(report::JsonWriter& json, const std::vector<BrokenRule>& rules,
+                const Profile& profile) {
+  json.Key("why").Text(BrokenRuleText(rules, profile));
+  json.Key("required_by").BeginArrayLine();
+  for (const Clause* clause : ClausesOf(rules, profile)) json.Text(clause->id);
+  json.EndArray();
+}
+
 std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open,
                    const Profile& profile, const LegalOptions& options,
                    const std::vector<std::string>& hints) {
@@ -96,6 +107,7 @@ std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open
   json.Key("verdict").Text(LegalityName(verdict.legality));
   json.Key("compared").Text(judgement.compared);
   json.Key("profile").Value(io::ProfileToJson(profile));
+  if (verdict.core) WriteRules(json, judgement.broken, profile);
   report::WriteEvidence(json, "assumed", report::AssumptionsUnder(profile));
   if (options.transform_error)
     json.Key("assumed_transform_error").Rounded(*options.transform_error);

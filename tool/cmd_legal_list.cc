@@ -21,6 +21,7 @@
 #include "report/grounds.h"
 #include "report/junit_suite.h"
 #include "report/text.h"
+#include "tool/broken_rules.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/interrupt.h"
@@ -58,6 +59,7 @@ struct ListLine {
   std::string text = {};   // after the name, in one line
   std::string whole = {};  // of what is not legal: all that is known
   std::string compared = {};
+  std::string assumed = {};  // lines
   double seconds = 0;
   std::uint64_t not_judged = 0;  // samples
 };
@@ -118,16 +120,18 @@ ListLine JudgeListed(const ListedDrawing& listed, SubjectsByProfile& subjects,
   const auto& [scene, profile] = judged;
   const OneCall drawn =
       subject != nullptr ? DrawInOneCall(*subject, scene) : ReadDrawing(listed.options, judged);
-  const auto [verdict, compared] = JudgeDrawing(judged, drawn);
+  const auto [verdict, compared, broken] = JudgeDrawing(judged, drawn);
   line.not_judged = verdict.not_judged;
   line.text = fmt::format("profile {}; {}", profile.name, SearchText(verdict, profile));
   const auto samples = static_cast<std::size_t>(profile.pattern.samples());
   if (verdict.core) {
     line.text =
-        fmt::format("profile {}; {}", profile.name, CoreLine(*verdict.core, scene, samples));
-    line.whole = CoreText(*verdict.core, scene, samples);
+        fmt::format("profile {}; {}; {}", profile.name, CoreLine(*verdict.core, scene, samples),
+                    BrokenRuleText(broken, profile));
+    line.whole = CoreText(*verdict.core, scene, samples) + BrokenRuleLines(broken, profile);
   }
   line.compared = "compared: " + compared;
+  line.assumed = report::AssumptionLines(profile) + AssumedErrorLine(listed.options);
   line.text += "; " + line.compared;
   for (const std::string& hint : HintsOf(listed.options, judged, drawn, verdict))
     line.text += "; hint: " + hint;
@@ -191,7 +195,8 @@ std::string ListSummary(const std::vector<ListLine>& lines) {
 
 report::JUnitTest TestOfLine(const ListLine& line, const std::string& classname) {
   report::JUnitTest test{.classname = classname, .name = line.name, .seconds = line.seconds};
-  if (!line.compared.empty()) test.said = line.compared;
+  test.said = line.compared;
+  if (!line.assumed.empty()) test.said += "\n" + line.assumed.substr(0, line.assumed.size() - 1);
   switch (line.result) {
     case ListResult::kLegal:
       break;
@@ -210,7 +215,7 @@ report::JUnitTest TestOfLine(const ListLine& line, const std::string& classname)
       test.outcome = report::JUnitOutcome::kFailed;
       test.message =
           fmt::format("{}: {}", kListWords[static_cast<std::size_t>(line.result)], line.text);
-      test.text = test.message + "\n" + line.whole;
+      test.text = test.message + "\n" + line.whole + line.assumed;
       break;
   }
   return test;
@@ -220,7 +225,8 @@ std::string ListXml(const std::vector<ListLine>& lines, const LegalOptions& opti
   std::vector<report::JUnitTest> tests;
   for (const ListLine& line : lines)
     tests.push_back(TestOfLine(line, options.subject.empty() ? "legal" : options.subject));
-  return report::JUnitSuite("legal " + options.list, tests, ListSummary(lines));
+  return report::JUnitSuite("legal " + options.list, tests,
+                            ListSummary(lines) + AssumedErrorLine(options));
 }
 
 }  // namespace

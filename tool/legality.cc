@@ -237,27 +237,35 @@ std::size_t WeightOf(const legal::JointVerdict& verdict) {
 
 Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
   const TargetProfile profile(judged.profile, judged.scene);
+  legal::Observed observed = drawn.Observed();
   const auto judge = [&](legal::Sides sides) {
-    legal::Observed observed = drawn.Observed();
     observed.sides = sides;
     return legal::JudgeJointly(judged.scene, profile, observed);
   };
-  if (!drawn.has_facings) return {judge(legal::Sides::kNotCompared), ComparedIn(drawn)};
+  const auto with_rules = [&](legal::JointVerdict verdict, std::string compared) -> Judgement {
+    std::vector<BrokenRule> broken = BrokenRules(judged.scene, judged.profile, observed, verdict);
+    return {std::move(verdict), std::move(compared), std::move(broken)};
+  };
+  if (!drawn.has_facings) return with_rules(judge(legal::Sides::kNotCompared), ComparedIn(drawn));
   const bool either = judged.profile.front_face == FrontFace::kUnstated;
   std::string compared = "counts and facings";
-  legal::JointVerdict verdict = judge(legal::Sides::kPositiveArea);
+  legal::Sides sides = legal::Sides::kPositiveArea;
+  legal::JointVerdict verdict = judge(sides);
   if (verdict.legality != legal::Legality::kLegal && either) {
     legal::JointVerdict other = judge(legal::Sides::kNegativeArea);
     if (other.legality == legal::Legality::kLegal || WeightOf(other) < WeightOf(verdict)) {
       verdict = std::move(other);
+      sides = legal::Sides::kNegativeArea;
       compared += "; the front is the side that is clockwise on screen";
     }
   }
   if (verdict.legality != legal::Legality::kNotLegal) return {std::move(verdict), compared};
   legal::JointVerdict counts = judge(legal::Sides::kNotCompared);
   if (counts.legality == legal::Legality::kNotLegal)
-    return {std::move(counts), "counts; no model explains them, whatever the facings"};
-  return {std::move(verdict), compared + "; a model explains the counts alone"};
+    return with_rules(std::move(counts), "counts; no model explains them, whatever the facings");
+  if (counts.legality == legal::Legality::kLegal) compared += "; a model explains the counts alone";
+  observed.sides = sides;
+  return with_rules(std::move(verdict), compared);
 }
 
 std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {

@@ -10,6 +10,7 @@
 #include "core/scene.h"
 #include "core/subject.h"
 #include "legal/joint.h"
+#include "tool/broken_rules.h"
 #include "tool/commands.h"
 
 namespace rasterproof::tool {
@@ -49,6 +50,7 @@ OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged);
 struct Judgement {
   legal::JointVerdict verdict;
   std::string compared;
+  std::vector<BrokenRule> broken = {};  ///< if it is not legal: at least one
 };
 
 /// Returns whether one legal model explains the drawing, its facings too if it has any. Where the

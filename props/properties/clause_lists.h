@@ -16,6 +16,13 @@ inline constexpr auto kLegalModelClauses = std::to_array<std::string_view>(
     {"gl.point-sampling", "gl.subpixel-bits", "gl.common-edge", "vulkan.point-sampling",
      "vulkan.subpixel-bits", "vulkan.common-edge", "d3d11.snap-tolerance", "d3d11.eight-bits",
      "d3d11.top-left", "d3d11.two-edges", "webgpu.point-sampling"});
+// Who has a sample on an edge, and what is required of all others: a drawing that no legal model
+// explains breaks one of the two.
+inline constexpr auto kEdgeOwnerClauses = std::to_array<std::string_view>(
+    {"gl.common-edge", "vulkan.common-edge", "d3d11.top-left", "d3d11.two-edges"});
+inline constexpr auto kPlacedSampleClauses = std::to_array<std::string_view>(
+    {"gl.point-sampling", "gl.subpixel-bits", "vulkan.point-sampling", "vulkan.subpixel-bits",
+     "d3d11.point-sampling", "d3d11.snap-tolerance", "d3d11.eight-bits", "webgpu.point-sampling"});
 // At folds and silhouettes Direct3D's rule, which goes by position alone, is the only one that says
 // who owns a sample.
 inline constexpr auto kEveryEdgeClauses =

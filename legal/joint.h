@@ -36,6 +36,9 @@ struct Observed {
   /// What the counts of one call say of facings. A triangle that legal models may turn over or
   /// flatten, and with a grid one that leaves the target, may be counted on either side.
   Sides sides = Sides::kNotCompared;
+  /// Of `primitive_ids`: whether the visible triangle shows its front; nullptr if not known.
+  /// Compared as `sides` says, as far as all legal models count the triangle on one side.
+  const std::vector<bool>* visible_front = nullptr;
   /// By triangle, the side that all legal models of all families count it on, or 0: a facing may be
   /// that of another legal grid than the samples. JudgeJointly() fills it, if sides are compared.
   std::vector<int> side_of;
@@ -45,6 +48,9 @@ struct Observed {
   bool last_is_visible = true;
   /// Which of the triangles that cover a sample is visible is not known: a depth test may decide.
   bool any_is_visible = false;
+
+  /// Whether the visible triangle shows a side that no legal model counts it on. Needs `side_of`.
+  bool ShowsWrongSide(std::size_t sample) const;
 };
 
 enum class Legality : std::uint8_t {
@@ -69,6 +75,8 @@ struct Requirement {
   int most = 0;  ///< larger than `least` for a mask, which does not show how often
   /// The triangle that was seen there, if ids were observed; kNoPrimitive: none of them.
   std::optional<std::int32_t> visible;
+  /// Whether the front of `visible` was seen, if every legal model counts it on the other side.
+  std::optional<bool> wrong_front;
   /// How many of them were counted as front and as back, if sides are compared.
   std::optional<std::array<int, 2>> by_side;
   /// How often legal models let them cover it.

@@ -247,6 +247,8 @@ void AddObservedTogether(const Search& search, const Decided& decided,
   if (observed.primitive_ids != nullptr) {
     requirement.visible = (*observed.primitive_ids)[sample];
     requirement.legal_visible = MayBeVisible(triangles, observed);
+    if (observed.ShowsWrongSide(sample))
+      requirement.wrong_front = (*observed.visible_front)[sample];
   }
   if (observed.together == nullptr) return;
   const auto count = static_cast<int>(observed.together->Count(sample));

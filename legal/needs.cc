@@ -127,18 +127,36 @@ void AddNeedsOfPrimitiveIds(const FamilySamples& all, const Observed& observed,
   }
 }
 
+// Visible triangles of which the side was seen that no legal model counts them on.
+void AddNeedsOfVisibleSide(const Observed& observed, std::vector<Need>& needs) {
+  const std::vector<std::int32_t>& ids = *observed.primitive_ids;
+  for (std::size_t s = 0; s < ids.size(); ++s) {
+    if (observed.ShowsWrongSide(s)) needs.push_back({{Seen::kTogether, s}, {}, 1, 1});
+  }
+}
+
 }  // namespace
+
+bool Observed::ShowsWrongSide(std::size_t sample) const {
+  if (sides == Sides::kNotCompared || primitive_ids == nullptr || visible_front == nullptr)
+    return false;
+  const std::int32_t id = (*primitive_ids)[sample];
+  if (id == kNoPrimitive) return false;
+  const int front = sides == Sides::kPositiveArea ? 1 : -1;
+  return side_of[static_cast<std::size_t>(id)] == ((*visible_front)[sample] ? -front : front);
+}
 
 std::vector<Need> NeedsOf(const FamilySamples& all, const Observed& observed) {
   std::vector<Need> needs;
   AddNeedsOfAlone(all, observed, needs);
   if (observed.together != nullptr)
     AddNeedsOfCounts(all, *observed.together, observed.is_mask, needs);
-  if (observed.sides != Sides::kNotCompared) {
+  if (observed.sides != Sides::kNotCompared && observed.together != nullptr) {
     const int front = observed.sides == Sides::kPositiveArea ? 1 : -1;
     AddNeedsOfSide(all, observed.side_of, front, observed.together->front, needs);
     AddNeedsOfSide(all, observed.side_of, -front, observed.together->back, needs);
   }
+  if (observed.primitive_ids != nullptr) AddNeedsOfVisibleSide(observed, needs);
   if (observed.primitive_ids != nullptr && observed.any_is_visible) {
     AddNeedsOfUnorderedIds(all, *observed.primitive_ids, needs);
   } else if (observed.primitive_ids != nullptr) {

@@ -71,6 +71,7 @@ void WriteRequirement(report::JsonWriter& json, const legal::Requirement& seen) 
     json.Key("back").Integer((*seen.by_side)[1]);
   }
   if (seen.visible) json.Key("visible").Integer(*seen.visible);
+  if (seen.wrong_front) json.Key("shown_side").Text(*seen.wrong_front ? "front" : "back");
   json.Key("legal_least").Integer(seen.legal_least);
   json.Key("legal_most").Integer(seen.legal_most);
   if (seen.legal_by_side) {
@@ -207,6 +208,10 @@ int RunLegal(const LegalOptions& options) {
   if (options.subject.empty() && options.profile.empty()) {
     throw InputError("legal", "the profile whose models are legal is not known",
                      "give --profile: vulkan, gl, d3d11, webgpu or a file");
+  }
+  if (!options.facings.empty() && options.image.empty()) {
+    throw InputError("--facings " + options.facings, "a subject tells its own facings",
+                     "give the file of an image, or leave out --facings");
   }
   if (options.decided) return TellDecided(options);
   std::unique_ptr<Subject> subject;

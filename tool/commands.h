@@ -62,6 +62,7 @@ struct LegalOptions {
   std::string background = "000000";
   bool counts = false;          ///< the levels of a picture are counts
   bool ids = false;             ///< the numbers of `image` are 1 + ids of triangles
+  std::string facings;          ///< how many of what `image` shows are front-facing; empty: unknown
   std::string visible = "any";  ///< of those that cover a sample: any, last, first
   std::string list;             ///< file of drawings to judge; empty: one drawing
   std::string junit;            ///< of a list; empty: none

@@ -19,8 +19,9 @@ namespace rasterproof::tool {
 namespace {
 
 constexpr std::array<std::string_view, 2> kLegalListKeys{"rasterproof_legal_list", "drawings"};
-constexpr std::array<std::string_view, 9> kDrawingKeys{
-    "name", "scene", "image", "profile", "expected", "reason", "background", "owner", "until"};
+constexpr std::array<std::string_view, 10> kDrawingKeys{
+    "name",   "scene",      "image",   "profile", "expected",
+    "reason", "background", "facings", "owner",   "until"};
 constexpr std::array<std::string_view, 2> kExpected{"legal", "illegal"};
 
 // A preset's name stays; a file of that name in the folder is meant by "./NAME".
@@ -62,6 +63,11 @@ ListedDrawing ReadDrawingEntry(const io::JsonValue& object, const std::filesyste
   if (const auto image = object.Find("image")) {
     listed.options.image = (folder / image->RequireString()).string();
     listed.options.subject.clear();
+    io::ReadIfThere(object, "facings", listed.options.facings, [&](const io::JsonValue& value) {
+      return (folder / value.RequireString()).string();
+    });
+  } else if (const auto facings = object.Find("facings")) {
+    throw facings->Error("is of an image, and none is given", "give \"image\", or leave it out");
   } else if (base.subject.empty()) {
     throw object.Error("has no image, and no subject draws",
                        "give it \"image\", or name --subject, --plugin or --exec");

@@ -23,9 +23,10 @@ struct ListedDrawing {
 };
 
 /// Reads {"rasterproof_legal_list": 1, "drawings": [{"name", "scene", "image", "profile",
-/// "background", "expected": "legal" | "illegal", "reason", "owner", "until": "2027-01-31"}]}, or
-/// the array alone. Name and scene are required; a reason is, of what is expected to be illegal;
-/// owner and until come together. Paths are relative to the file's folder.
+/// "background", "facings", "expected": "legal" | "illegal", "reason", "owner", "until":
+/// "2027-01-31"}]}, or the array alone. Name and scene are required; a reason is, of what is
+/// expected to be illegal; owner and until come together, facings with an image. Paths are relative
+/// to the file's folder.
 ///
 /// Error:      InputError with file, place, reason and remedy; unknown keys are errors, and so is a
 ///             drawing without an image where `base` names no subject.

@@ -56,6 +56,11 @@ std::string RequirementText(const legal::Requirement& seen, std::string_view leg
   if (seen.visible) {
     const std::string shown =
         *seen.visible == kNoPrimitive ? "no triangle" : fmt::format("triangle {}", *seen.visible);
+    if (seen.wrong_front) {
+      const auto [here, there] =
+          *seen.wrong_front ? std::pair("front", "back") : std::pair("back", "front");
+      return fmt::format("shows the {} of {}; legal: its {}\n", here, shown, there);
+    }
     return fmt::format("shows {}; {}: {}\n", shown, legal, VisibleText(seen));
   }
   std::string text =
@@ -98,7 +103,7 @@ std::string HeadOf(const legal::Core& core) {
 std::string PlaceText(std::size_t sample, const Scene& scene, std::size_t samples) {
   const std::size_t pixel = sample / samples;
   const auto width = static_cast<std::size_t>(scene.width);
-  return fmt::format("column {} row {}: ", pixel % width, pixel / width);
+  return fmt::format("column {} row {}", pixel % width, pixel / width);
 }
 
 }  // namespace
@@ -112,6 +117,7 @@ legal::Observed OneCall::Observed() const {
     observed.is_mask = is_mask;
   } else {
     observed.primitive_ids = &drawing.primitive_ids;
+    if (has_facings) observed.visible_front = &visible_front;
   }
   return observed;
 }
@@ -191,6 +197,48 @@ JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject)
   return judged;
 }
 
+namespace {
+
+// Parts what was seen at each sample into fronts and backs.
+void ReadFacings(const LegalOptions& options, const JudgedScene& judged, OneCall& drawn) {
+  const auto& [scene, profile] = judged;
+  const std::string& path = options.facings;
+  if (drawn.is_picture) {
+    throw InputError("--facings " + path,
+                     "the image shows where anything is covered, not how often",
+                     "give counts, as text or with --counts, or ids with --ids");
+  }
+  const int samples = TargetProfile(profile, scene).pattern.samples();
+  const std::vector<std::uint32_t> fronts = io::ReadCounts(path, {.width = scene.width,
+                                                                  .height = scene.height,
+                                                                  .samples = samples,
+                                                                  .holds = io::FileHolds::kCounts})
+                                                .counts.front;
+  CoverageCounts& counts = drawn.drawing.counts;
+  for (std::size_t s = 0; s < fronts.size(); ++s) {
+    const bool is_shown = !drawn.has_counts && drawn.drawing.primitive_ids[s] != kNoPrimitive;
+    const std::uint32_t seen = drawn.has_counts ? counts.front[s] : is_shown ? 1 : 0;
+    if (fronts[s] > seen) {
+      throw InputError(
+          path + ": " + PlaceText(s, scene, static_cast<std::size_t>(samples)),
+          fmt::format("{} front-facing, and the image shows {} there", fronts[s], seen),
+          drawn.has_counts ? "write how many of the image's count are front-facing"
+                           : "write 1 where the image's triangle is front-facing, else 0");
+    }
+  }
+  drawn.has_facings = true;
+  if (!drawn.has_counts) {
+    for (const std::uint32_t front : fronts) drawn.visible_front.push_back(front != 0);
+    return;
+  }
+  for (std::size_t s = 0; s < fronts.size(); ++s) {
+    counts.back[s] = counts.front[s] - fronts[s];
+    counts.front[s] = fronts[s];
+  }
+}
+
+}  // namespace
+
 OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
   const auto& [scene, profile] = judged;
   io::CountsFile file =
@@ -211,6 +259,7 @@ OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
   drawn.corners = std::move(file.corners);
   drawn.last_is_visible = options.visible == "last";
   drawn.any_is_visible = options.visible == "any";
+  if (!options.facings.empty()) ReadFacings(options, judged, drawn);
   return drawn;
 }
 
@@ -248,7 +297,9 @@ Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
   };
   if (!drawn.has_facings) return with_rules(judge(legal::Sides::kNotCompared), ComparedIn(drawn));
   const bool either = judged.profile.front_face == FrontFace::kUnstated;
-  std::string compared = "counts and facings";
+  const std::string what = drawn.has_counts ? "counts" : "ids";
+  std::string compared =
+      drawn.has_counts ? "counts and facings" : "facings and " + ComparedIn(drawn);
   legal::Sides sides = legal::Sides::kPositiveArea;
   legal::JointVerdict verdict = judge(sides);
   if (verdict.legality != legal::Legality::kLegal && either) {
@@ -262,8 +313,9 @@ Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
   if (verdict.legality != legal::Legality::kNotLegal) return {std::move(verdict), compared};
   legal::JointVerdict counts = judge(legal::Sides::kNotCompared);
   if (counts.legality == legal::Legality::kNotLegal)
-    return with_rules(std::move(counts), "counts; no model explains them, whatever the facings");
-  if (counts.legality == legal::Legality::kLegal) compared += "; a model explains the counts alone";
+    return with_rules(std::move(counts), what + "; no model explains them, whatever the facings");
+  if (counts.legality == legal::Legality::kLegal)
+    compared += "; a model explains the " + what + " alone";
   observed.sides = sides;
   return with_rules(std::move(verdict), compared);
 }
@@ -275,7 +327,7 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
   const std::size_t all = std::max(told.size(), core.wrong_by_themselves);
   const std::size_t lines = std::min(told.size(), kMostTold);
   for (std::size_t k = 0; k < lines; ++k) {
-    text += "  " + PlaceText(told[k].sample, scene, samples) +
+    text += "  " + PlaceText(told[k].sample, scene, samples) + ": " +
             RequirementText(told[k], LegalValuesOf(core));
   }
   if (all > lines) text += fmt::format("  and {} more\n", all - lines);
@@ -292,7 +344,7 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
 
 std::string CoreLine(const legal::Core& core, const Scene& scene, std::size_t samples) {
   const legal::Requirement& first = core.requirements.front();
-  std::string line = HeadOf(core) + PlaceText(first.sample, scene, samples) +
+  std::string line = HeadOf(core) + PlaceText(first.sample, scene, samples) + ": " +
                      RequirementText(first, LegalValuesOf(core));
   line.pop_back();
   std::ranges::replace(line, '\n', ' ');

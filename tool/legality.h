@@ -22,8 +22,10 @@ struct OneCall {
   bool has_counts = true;  ///< else the primitive ids are judged
   bool last_is_visible = true;
   bool any_is_visible = false;  ///< which of several triangles is visible is not known
-  bool has_facings = false;     ///< its counts are by facing
-  bool is_picture = false;      ///< a mask that was read from a file
+  bool has_facings = false;     ///< its counts are by facing, or visible_front is known
+  /// Of ids: whether the visible triangle shows its front.
+  std::vector<bool> visible_front = {};
+  bool is_picture = false;  ///< a mask that was read from a file
   /// Of a picture: the colours of its corners that are not the background, RRGGBB.
   std::vector<std::string> corners = {};
 
@@ -43,7 +45,7 @@ struct JudgedScene {
 ///             this scene and profile.
 JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject);
 
-/// Reads the image that the options name.
+/// Reads the image that the options name, and its facings.
 OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged);
 
 /// The verdict on a drawing, and what was compared, in words that say what was not: "counts; ...".

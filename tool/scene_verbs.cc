@@ -157,6 +157,11 @@ void AddLegal(CLI::App& app, Run& run) {
       ->check(CLI::IsMember({"any", "last", "first"}))
       ->capture_default_str()
       ->needs(ids);
+  CLI::Option* facings =
+      verb->add_option("--facings", options.facings,
+                       "File like the image: how many of the counts, or whether the triangle of an "
+                       "id, show the front")
+          ->excludes(background);
   CLI::Option* json =
       verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   CLI::Option* save = verb->add_option("--save", options.save,
@@ -167,9 +172,11 @@ void AddLegal(CLI::App& app, Run& run) {
           ->excludes(background)
           ->excludes(counts)
           ->excludes(ids)
+          ->excludes(facings)
           ->excludes(save);
   CLI::Option* list = verb->add_option("--list", options.list,
                                        "File of drawings to judge, each its own (docs/commands.md)")
+                          ->excludes(facings)
                           ->excludes(json)
                           ->excludes(save)
                           ->excludes(decided);

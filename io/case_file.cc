@@ -10,6 +10,7 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "core/quoted.h"
 #include "core/suggestion.h"
@@ -26,13 +27,21 @@ constexpr int kCaseVersion = 2;
 constexpr int kMaxTile = kMaxTargetSide;
 constexpr int kMaxThreads = 4096;
 
-constexpr std::array<std::string_view, 8> kCaseKeys{
-    "rasterproof_case", "scene", "profile", "options", "subject", "property", "origin", "drawn"};
+constexpr std::array<std::string_view, 9> kCaseKeys{"rasterproof_case", "scene",   "profile",
+                                                    "options",          "subject", "property",
+                                                    "origin",           "drawn",   "drawing"};
+constexpr std::array<std::string_view, 4> kDrawingMembers{"shows", "visible", "numbers", "fronts"};
+constexpr std::array<std::string_view, 3> kVisibleWords{"any", "last", "first"};
 constexpr std::array<std::string_view, 2> kDrawnKeys{"options", "scene"};
 constexpr std::array<std::string_view, 4> kOptionKeys{"cull", "scissor", "tile", "threads"};
 
 constexpr std::array<std::pair<Cull, std::string_view>, 3> kCulls{
     {{Cull::kNone, "none"}, {Cull::kFront, "front"}, {Cull::kBack, "back"}}};
+
+constexpr std::array<std::pair<DrawingShows, std::string_view>, 3> kShows{
+    {{DrawingShows::kCounts, "counts"},
+     {DrawingShows::kMask, "mask"},
+     {DrawingShows::kIds, "ids"}}};
 
 std::optional<PixelRect> ScissorFromJson(const JsonValue& value) {
   if (value.kind() == JsonKind::kNull) return std::nullopt;
@@ -69,6 +78,63 @@ std::shared_ptr<const DrawnScene> DrawnFromJson(const JsonValue& value) {
   return std::make_shared<const DrawnScene>(std::move(drawn));
 }
 
+// Rows of numbers, all of one length.
+std::vector<std::uint32_t> RowsFromJson(const JsonValue& value, int height) {
+  const JsonValue::Items rows = value.RequireArray();
+  if (rows.size() != static_cast<std::size_t>(height)) {
+    throw value.Error(
+        "has " + std::to_string(rows.size()) + " rows, the target " + std::to_string(height),
+        "give one row of numbers for each row of pixels");
+  }
+  std::vector<std::uint32_t> numbers;
+  std::optional<std::size_t> length;
+  for (const JsonValue row : rows) {
+    const JsonValue::Items items = row.RequireArray();
+    if (items.size() != length.value_or(items.size())) {
+      throw row.Error("has " + std::to_string(items.size()) + " numbers, the rows above " +
+                          std::to_string(*length),
+                      "give one number for each sample");
+    }
+    length = items.size();
+    for (const JsonValue item : items)
+      numbers.push_back(static_cast<std::uint32_t>(item.RequireInteger(0, UINT32_MAX)));
+  }
+  return numbers;
+}
+
+CaseDrawing DrawingFromJson(const JsonValue& value, int height) {
+  value.RequireObject(kDrawingMembers);
+  const auto rows = [&](const JsonValue& v) { return RowsFromJson(v, height); };
+  CaseDrawing drawing;
+  drawing.shows = FromName(value.Get("shows"), Names<DrawingShows>(kShows));
+  ReadIfThere(value, "visible", drawing.visible, [](const JsonValue& v) {
+    return std::string(kVisibleWords[IndexOf(v, kVisibleWords)]);
+  });
+  drawing.numbers = rows(value.Get("numbers"));
+  ReadIfThere(value, "fronts", drawing.fronts, rows);
+  return drawing;
+}
+
+void AppendRows(std::string_view key, const std::vector<std::uint32_t>& numbers, int height,
+                std::string& json) {
+  const std::size_t length = numbers.size() / static_cast<std::size_t>(height);
+  json += ",\n    \"" + std::string(key) + "\": [";
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (k % length == 0) json += k == 0 ? "[" : "],\n      [";
+    json += (k % length == 0 ? "" : ", ") + std::to_string(numbers[k]);
+  }
+  json += "]]";
+}
+
+std::string DrawingToJson(const CaseDrawing& drawing, int height) {
+  std::string json =
+      "{\n    \"shows\": " + InQuotes(NameOf(drawing.shows, Names<DrawingShows>(kShows))) +
+      ", \"visible\": " + InQuotes(drawing.visible);
+  AppendRows("numbers", drawing.numbers, height, json);
+  if (!drawing.fronts.empty()) AppendRows("fronts", drawing.fronts, height, json);
+  return json + "\n  }";
+}
+
 std::string NameFromJson(const JsonValue& value) { return value.RequireName(); }
 // As it is: a program's command is run, and whoever shows it quotes it.
 std::string TextFromJson(const JsonValue& value) { return std::string(value.RequireString()); }
@@ -98,6 +164,9 @@ CaseFile CaseFromJson(const JsonValue& object) {
   ReadIfThere(object, "subject", file.subject, TextFromJson);
   ReadIfThere(object, "property", file.property, NameFromJson);
   ReadIfThere(object, "drawn", file.drawn, DrawnFromJson);
+  ReadIfThere(object, "drawing", file.drawing, [&](const JsonValue& value) {
+    return DrawingFromJson(value, file.value.scene.height);
+  });
   return file;
 }
 
@@ -138,6 +207,8 @@ std::string CaseToJson(const CaseFile& file) {
     AppendSceneJson(file.drawn->scene, "    ", json);
     json += "\n  }";
   }
+  if (file.drawing)
+    json += line + "\"drawing\": " + DrawingToJson(*file.drawing, file.value.scene.height);
   return json + "\n}\n";
 }
 

@@ -233,17 +233,35 @@ CoverageCounts FromText(std::string_view text, const std::string& path,
 
 }  // namespace
 
+CountsFile CountsFrom(std::vector<std::uint32_t> numbers, const std::string& place,
+                      const CountsFormat& format) {
+  CountsFile file;
+  file.counts = CoverageCounts(format.width, format.height, format.samples);
+  if (numbers.size() != file.counts.size()) {
+    throw InputError(place,
+                     "has " + std::to_string(numbers.size()) + " numbers, the target " +
+                         std::to_string(file.counts.size()) + " samples",
+                     "give one number for each sample");
+  }
+  file.is_mask = format.holds == FileHolds::kDrawing;
+  if (file.is_mask) {
+    for (std::uint32_t& number : numbers) number = number == 0 ? 0 : 1;
+  }
+  file.counts.front = std::move(numbers);
+  if (format.holds == FileHolds::kIds)
+    file.primitive_ids = IdsFrom(std::exchange(file.counts.front, {}), place, format);
+  return file;
+}
+
 CountsFile ReadCounts(const std::string& path, const CountsFormat& format) {
   const std::string bytes = ReadFile(path);
   const bool is_picture = bytes.starts_with(kPngBegins) || IsNetpbm(bytes) || IsRaw(path);
   if (is_picture && format.holds == FileHolds::kDrawing) return FromPicture(bytes, path, format);
-  CountsFile file;
-  file.counts = CoverageCounts(format.width, format.height, format.samples);
-  file.counts.front =
-      is_picture ? NumbersFromPicture(bytes, path, format) : FromText(bytes, path, format).front;
-  if (format.holds == FileHolds::kIds)
-    file.primitive_ids = IdsFrom(std::exchange(file.counts.front, {}), path, format);
-  return file;
+  CountsFormat numbers = format;
+  if (!is_picture && format.holds == FileHolds::kDrawing) numbers.holds = FileHolds::kCounts;
+  return CountsFrom(
+      is_picture ? NumbersFromPicture(bytes, path, format) : FromText(bytes, path, format).front,
+      path, numbers);
 }
 
 }  // namespace rasterproof::io

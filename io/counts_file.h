@@ -50,6 +50,11 @@ struct CountsFormat {
 /// Domain:     the file has the requested shape.
 /// Error:      InputError with the line, or the column and row, and its fault.
 CountsFile ReadCounts(const std::string& path, const CountsFormat& format);
+/// The same of numbers that are at hand, in the order of CoverageCounts; kDrawing: of a mask.
+///
+/// Error:      InputError with `place`, and the column and row if one number is at fault.
+CountsFile CountsFrom(std::vector<std::uint32_t> numbers, const std::string& place,
+                      const CountsFormat& format);
 
 }  // namespace rasterproof::io
 

@@ -28,6 +28,7 @@
 #include "tool/legal_hints.h"
 #include "tool/legality.h"
 #include "tool/resolve.h"
+#include "tool/saved_core.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -35,7 +36,7 @@ namespace {
 
 std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
                  const JudgedScene& judged, const std::vector<std::string>& hints) {
-  const auto& [scene, profile] = judged;
+  const auto& [scene, profile, saved] = judged;
   const legal::JointVerdict& verdict = judgement.verdict;
   std::string text = fmt::format("{}: profile {}; {}\n", LegalityName(verdict.legality),
                                  profile.name, SearchText(verdict, profile));
@@ -100,7 +101,7 @@ void WriteRules(report::JsonWriter& json, const std::vector<BrokenRule>& rules,
 
 std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open,
                    const Profile& profile, const LegalOptions& options,
-                   const std::vector<std::string>& hints) {
+                   const std::vector<std::string>& hints, const std::string& again) {
   const legal::JointVerdict& verdict = judgement.verdict;
   report::JsonWriter json;
   json.BeginObject();
@@ -133,40 +134,12 @@ std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open
     json.EndArray();
     json.EndObject();
   }
+  if (!again.empty()) json.Key("next").Text(again);
   json.Key("hints").BeginArray();
   for (const std::string& hint : hints) json.Text(hint);
   json.EndArray();
   json.EndObject();
   return json.Finish();
-}
-
-// The scene with the triangles of the core alone.
-Scene CoreScene(const Scene& scene, const legal::Core& core) {
-  std::vector<std::size_t> triangles;
-  for (const legal::Requirement& seen : core.requirements)
-    triangles.insert(triangles.end(), seen.triangles.begin(), seen.triangles.end());
-  std::ranges::sort(triangles);
-  const auto repeated = std::ranges::unique(triangles);
-  triangles.erase(repeated.begin(), repeated.end());
-  Scene part = scene;
-  part.triangles.clear();
-  for (const std::size_t t : triangles) part.triangles.push_back(scene.triangles[t]);
-  return part;
-}
-
-// A subject is judged again. A picture can't be drawn again: its case shows what the canonical
-// model has there, and its origin says what was seen.
-void Save(const LegalOptions& options, const Scene& scene, const Profile& profile,
-          const legal::Core& core) {
-  const bool is_drawn = !options.subject.empty();
-  const std::string origin =
-      "core of " + options.scene.path +
-      (is_drawn ? ""
-                : " as " + options.image + " shows it; " +
-                      CoreText(core, scene, static_cast<std::size_t>(profile.pattern.samples())));
-  const Case part{CoreScene(scene, core), profile, {}, origin};
-  io::WriteFile(options.save, io::CaseToJson({part, is_drawn ? options.subject : "exact",
-                                              is_drawn ? "OneLegalModelExplainsTheMesh" : ""}));
 }
 
 }  // namespace
@@ -200,24 +173,21 @@ int RunLegal(const LegalOptions& options) {
     throw InputError("--decided", "it judges no drawing",
                      "leave out --decided, or the image and the subject");
   }
-  if (!options.decided && drawings != 1) {
-    throw InputError("legal", "it judges one drawing",
-                     "give the file of an image, or --subject, --plugin or --exec, not both; "
-                     "--decided says what legal models leave open");
-  }
-  if (options.subject.empty() && options.profile.empty()) {
+  if (drawings > 1) throw NotOneDrawing();
+  if (options.decided && options.profile.empty()) {
     throw InputError("legal", "the profile whose models are legal is not known",
                      "give --profile: vulkan, gl, d3d11, webgpu or a file");
   }
   if (!options.facings.empty() && options.image.empty()) {
-    throw InputError("--facings " + options.facings, "a subject tells its own facings",
+    throw InputError("--facings " + options.facings, "a subject or a case tells its own facings",
                      "give the file of an image, or leave out --facings");
   }
   if (options.decided) return TellDecided(options);
   std::unique_ptr<Subject> subject;
   if (!options.subject.empty()) subject = MakeSubject(options.subject, options.profile);
   const JudgedScene judged = LoadJudgedScene(options, subject.get());
-  const auto& [scene, profile] = judged;
+  const Scene& scene = judged.scene;
+  const Profile& profile = judged.profile;
   const OneCall drawn = subject ? DrawInOneCall(*subject, scene) : ReadDrawing(options, judged);
   const Judgement judgement = JudgeDrawing(judged, drawn);
   const legal::JointVerdict& verdict = judgement.verdict;
@@ -225,12 +195,15 @@ int RunLegal(const LegalOptions& options) {
   if (verdict.legality != legal::Legality::kLegal)
     open = legal::DecidedSamples(scene, {profile, scene}).NumberOpen();
   const std::vector<std::string> hints = HintsOf(options, judged, drawn, verdict);
+  std::string again;
+  if (!options.save.empty() && verdict.core)
+    again = SaveCore(options, judged, drawn, *verdict.core, subject.get());
   if (!options.json.empty())
-    WriteOutput(options.json, ToJson(judgement, open, profile, options, hints));
-  if (!options.save.empty() && verdict.core) Save(options, scene, profile, *verdict.core);
+    WriteOutput(options.json, ToJson(judgement, open, profile, options, hints, again));
   if (options.json != "-") {
     io::WriteStandardOutput(Text(judgement, open, judged, hints) +
-                            report::AssumptionLines(profile) + AssumedErrorLine(options));
+                            report::AssumptionLines(profile) + AssumedErrorLine(options) +
+                            (again.empty() ? "" : "replay: " + again + "\n"));
   }
   return StatusOf(verdict.legality);
 }

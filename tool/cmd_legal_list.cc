@@ -117,7 +117,7 @@ ListLine JudgeListed(const ListedDrawing& listed, SubjectsByProfile& subjects,
   ListLine line{.name = listed.name};
   Subject* const subject = SubjectForList(listed.options, subjects);
   const JudgedScene judged = LoadJudgedScene(listed.options, subject);
-  const auto& [scene, profile] = judged;
+  const auto& [scene, profile, saved] = judged;
   const OneCall drawn =
       subject != nullptr ? DrawInOneCall(*subject, scene) : ReadDrawing(listed.options, judged);
   const auto [verdict, compared, broken] = JudgeDrawing(judged, drawn);

@@ -17,6 +17,7 @@
 #include "props/judging/witness.h"
 #include "tool/legal_hints.h"
 #include "tool/session.h"
+#include "tool/shared_files.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -185,42 +186,40 @@ int StatusOf(legal::Legality legality) {
   return kExitInconclusive;
 }
 
-JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject) {
-  JudgedScene judged;
-  judged.scene = LoadScene(options.scene);
-  if (subject != nullptr) RequireTakes(*subject, judged.scene, options.scene.path);
-  judged.profile = WithAssumptions(
-      subject != nullptr ? subject->Info().profile : io::ReadProfile(options.profile), options);
-  if (const auto why = legal::WhyNotJoint(judged.scene, {judged.profile, judged.scene})) {
-    throw InputError("profile " + judged.profile.name, *why, RemedyOf(*why));
-  }
-  return judged;
-}
-
 namespace {
 
-// Parts what was seen at each sample into fronts and backs.
-void ReadFacings(const LegalOptions& options, const JudgedScene& judged, OneCall& drawn) {
-  const auto& [scene, profile] = judged;
-  const std::string& path = options.facings;
-  if (drawn.is_picture) {
-    throw InputError("--facings " + path,
-                     "the image shows where anything is covered, not how often",
-                     "give counts, as text or with --counts, or ids with --ids");
+// A bare scene states no profile.
+io::CaseFile LoadCaseOrScene(const SceneOptions& options) {
+  if (!IsMeshPath(options.path) && options.camera.empty())
+    return io::ReadCase(Located(options.path));
+  io::CaseFile file;
+  file.value.scene = LoadScene(options);
+  return file;
+}
+
+Profile LegalProfileOf(const LegalOptions& options, const io::CaseFile& file,
+                       const Subject* subject) {
+  const bool is_named = !options.profile.empty();
+  if (file.states_profile && !is_named) return file.value.profile;
+  if (subject != nullptr) return subject->Info().profile;
+  if (!is_named) {
+    throw InputError("legal", "the profile whose models are legal is not known",
+                     "give --profile: vulkan, gl, d3d11, webgpu or a file");
   }
-  const int samples = TargetProfile(profile, scene).pattern.samples();
-  const std::vector<std::uint32_t> fronts = io::ReadCounts(path, {.width = scene.width,
-                                                                  .height = scene.height,
-                                                                  .samples = samples,
-                                                                  .holds = io::FileHolds::kCounts})
-                                                .counts.front;
+  return io::ReadProfile(options.profile);
+}
+
+// Parts what was seen at each sample into fronts and backs.
+void PartFacings(const std::vector<std::uint32_t>& fronts, const std::string& place,
+                 const Scene& scene, OneCall& drawn) {
   CoverageCounts& counts = drawn.drawing.counts;
+  const auto samples = static_cast<std::size_t>(counts.samples);
   for (std::size_t s = 0; s < fronts.size(); ++s) {
     const bool is_shown = !drawn.has_counts && drawn.drawing.primitive_ids[s] != kNoPrimitive;
     const std::uint32_t seen = drawn.has_counts ? counts.front[s] : is_shown ? 1 : 0;
     if (fronts[s] > seen) {
       throw InputError(
-          path + ": " + PlaceText(s, scene, static_cast<std::size_t>(samples)),
+          place + ": " + PlaceText(s, scene, samples),
           fmt::format("{} front-facing, and the image shows {} there", fronts[s], seen),
           drawn.has_counts ? "write how many of the image's count are front-facing"
                            : "write 1 where the image's triangle is front-facing, else 0");
@@ -237,29 +236,80 @@ void ReadFacings(const LegalOptions& options, const JudgedScene& judged, OneCall
   }
 }
 
-}  // namespace
-
-OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
-  const auto& [scene, profile] = judged;
-  io::CountsFile file =
-      io::ReadCounts(options.image, {.width = scene.width,
-                                     .height = scene.height,
-                                     .samples = TargetProfile(profile, scene).pattern.samples(),
-                                     .background = options.background,
-                                     .holds = options.ids      ? io::FileHolds::kIds
-                                              : options.counts ? io::FileHolds::kCounts
-                                                               : io::FileHolds::kDrawing,
-                                     .triangles = scene.triangles.size()});
+OneCall DrawnAs(io::CountsFile file, bool ids, std::string_view visible) {
   OneCall drawn;
   drawn.drawing.counts = std::move(file.counts);
   drawn.drawing.primitive_ids = std::move(file.primitive_ids);
-  drawn.has_counts = !options.ids;
+  drawn.has_counts = !ids;
   drawn.is_mask = file.is_mask;
   drawn.is_picture = file.is_mask;
   drawn.corners = std::move(file.corners);
-  drawn.last_is_visible = options.visible == "last";
-  drawn.any_is_visible = options.visible == "any";
-  if (!options.facings.empty()) ReadFacings(options, judged, drawn);
+  drawn.last_is_visible = visible == "last";
+  drawn.any_is_visible = visible == "any";
+  return drawn;
+}
+
+// What the case's numbers are called in errors.
+OneCall DrawingOf(const io::CaseDrawing& saved, const std::string& path, const Scene& scene,
+                  io::CountsFormat format) {
+  const bool ids = saved.shows == io::DrawingShows::kIds;
+  const bool is_mask = saved.shows == io::DrawingShows::kMask;
+  format.holds = ids       ? io::FileHolds::kIds
+                 : is_mask ? io::FileHolds::kDrawing
+                           : io::FileHolds::kCounts;
+  OneCall drawn = DrawnAs(io::CountsFrom(saved.numbers, path + ": drawing.numbers", format), ids,
+                          saved.visible);
+  if (saved.fronts.empty()) return drawn;
+  const std::string place = path + ": drawing.fronts";
+  if (is_mask) throw InputError(place, "a mask has no facings", "leave them out, or show counts");
+  format.holds = io::FileHolds::kCounts;
+  PartFacings(io::CountsFrom(saved.fronts, place, format).counts.front, place, scene, drawn);
+  return drawn;
+}
+
+}  // namespace
+
+InputError NotOneDrawing() {
+  return InputError("legal", "it judges one drawing",
+                    "give the file of an image, or --subject, --plugin or --exec, not both, or a "
+                    "case that `legal --save` wrote; --decided says what legal models leave open");
+}
+
+JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject) {
+  io::CaseFile file = LoadCaseOrScene(options.scene);
+  if (subject == nullptr && options.image.empty() && !file.drawing) throw NotOneDrawing();
+  JudgedScene judged{std::move(file.value.scene), {}, std::move(file.drawing)};
+  judged.profile = WithAssumptions(LegalProfileOf(options, file, subject), options);
+  if (subject != nullptr) {
+    RequireTakes(*subject, judged.scene, options.scene.path);
+    RequireDrawsSamples(*subject, judged.profile, options.scene.path);
+  }
+  if (const auto why = legal::WhyNotJoint(judged.scene, {judged.profile, judged.scene})) {
+    throw InputError("profile " + judged.profile.name, *why, RemedyOf(*why));
+  }
+  return judged;
+}
+
+OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
+  const Scene& scene = judged.scene;
+  io::CountsFormat format{.width = scene.width,
+                          .height = scene.height,
+                          .samples = TargetProfile(judged.profile, scene).pattern.samples(),
+                          .background = options.background,
+                          .holds = options.ids      ? io::FileHolds::kIds
+                                   : options.counts ? io::FileHolds::kCounts
+                                                    : io::FileHolds::kDrawing,
+                          .triangles = scene.triangles.size()};
+  if (options.image.empty()) return DrawingOf(*judged.drawing, options.scene.path, scene, format);
+  OneCall drawn = DrawnAs(io::ReadCounts(options.image, format), options.ids, options.visible);
+  if (options.facings.empty()) return drawn;
+  if (drawn.is_picture) {
+    throw InputError("--facings " + options.facings,
+                     "the image shows where anything is covered, not how often",
+                     "give counts, as text or with --counts, or ids with --ids");
+  }
+  format.holds = io::FileHolds::kCounts;
+  PartFacings(io::ReadCounts(options.facings, format).counts.front, options.facings, scene, drawn);
   return drawn;
 }
 

@@ -3,12 +3,15 @@
 #define RASTERPROOF_TOOL_LEGALITY_H_
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/drawing.h"
+#include "core/error.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "io/case_file.h"
 #include "legal/joint.h"
 #include "tool/broken_rules.h"
 #include "tool/commands.h"
@@ -37,15 +40,20 @@ struct OneCall {
 struct JudgedScene {
   Scene scene;
   Profile profile;
+  std::optional<io::CaseDrawing> drawing = {};  ///< of a case file that holds one
 };
 
-/// Loads what the options name; the profile is the options', or the subject's own.
+/// What is wrong where there is no drawing to judge, or more than one.
+InputError NotOneDrawing();
+
+/// Loads what the options name: a mesh, a scene or a case. The profile is the options', or the
+/// case's, or the subject's own.
 ///
-/// Error:      InputError if the subject does not take the scene, or the joint verdict is not for
-///             this scene and profile.
+/// Error:      InputError if there is no drawing, none of them states a profile, the subject
+///             does not take the scene, or the joint verdict is not for this scene and profile.
 JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject);
 
-/// Reads the image that the options name, and its facings.
+/// Reads the image that the options name, and its facings; without an image, the case's drawing.
 OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged);
 
 /// The verdict on a drawing, and what was compared, in words that say what was not: "counts; ...".

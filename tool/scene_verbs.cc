@@ -165,7 +165,8 @@ void AddLegal(CLI::App& app, Run& run) {
   CLI::Option* json =
       verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   CLI::Option* save = verb->add_option("--save", options.save,
-                                       "File for the part that no model explains, as a case");
+                                       "File for the part that no model explains, as a case that "
+                                       "this verb judges again");
   CLI::Option* decided =
       verb->add_flag("--decided", options.decided,
                      "Judge no drawing: how often the legal models of --profile cover each sample")

@@ -107,5 +107,97 @@ class LegalFacingsTest(LegalCase):
         self.assertIn("[0].facings", done.stderr)
 
 
+class SavedCoreTest(LegalCase):
+    def saved(self, *arguments):
+        """Saves the core, runs the command that is printed; returns the case and both texts."""
+        path = self.path("core.json")
+        done = run("legal", *arguments, "--save", path)
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        (line,) = (line for line in done.stdout.splitlines() if line.startswith("replay: "))
+        words = shlex.split(line.removeprefix("replay: "))
+        self.assertEqual(words[:3], ["rasterproof", "legal", path])
+        again = subprocess.run([PROGRAM, *words[1:]], capture_output=True, text=True, cwd=SOURCES,
+                               timeout=60)
+        self.assertEqual(again.returncode, 1, line + again.stdout + again.stderr)
+        with open(path, encoding="utf-8") as file:
+            case = json.load(file)
+        for side in ("width", "height"):
+            self.assertEqual(case["scene"][side], SQUARE[side])
+        return case, done.stdout.replace(line + "\n", ""), again.stdout
+
+    def rows(self, name, rows):
+        return self.write(name, "\n".join(" ".join(map(str, row)) for row in rows))
+
+    def test_a_saved_image_is_judged_again_with_the_same_words(self):
+        twice = self.drawn("vulkan-canonical")
+        twice[1][1] = 2
+        lost = [row[:] for row in twice]
+        lost[1][1], lost[0][2] = 1, 0
+        ids = [row[:] for row in IDS]
+        ids[0][2] = 2
+        picture = self.write("image.png", png([[255 * n for n in row] for row in lost]))
+        fronts = self.rows("fronts.txt", [[0] * 4, [1, 0, 0, 0], *NO_FRONT[2:]])
+        for image, more in (
+                (self.rows("twice.txt", twice), ()),
+                (picture, ()),
+                (self.rows("ids.txt", ids), ("--ids", "--visible", "last")),
+                (self.rows("ids2.txt", IDS), ("--ids", "--facings", fronts)),
+                (self.rows("right.txt", self.drawn("vulkan-canonical")), ("--facings", fronts))):
+            _, first, again = self.saved(self.scene, image, "--profile", "vulkan", *more)
+            self.assertEqual(first, again)
+
+    def test_a_sample_that_no_triangle_may_cover_is_saved_with_its_scene(self):
+        rows = self.drawn("vulkan-canonical")
+        rows[3][3] = 1
+        case, first, again = self.saved(self.scene, self.as_text(rows), "--profile", "vulkan")
+        self.assertIn("column 3 row 3: no legal model lets any triangle cover it", first)
+        self.assertEqual(first, again)
+        self.assertEqual(case["scene"]["triangles"], SQUARE["triangles"])
+
+    def test_what_was_assumed_is_assumed_again(self):
+        scene = dict(SQUARE, vertices=[[2 * x, 2 * y, 0, 2] for x, y in SQUARE["vertices"]])
+        clip = self.write("clip.json", json.dumps(scene))
+        twice = self.drawn("vulkan-canonical")
+        twice[1][1] = 2
+        _, first, again = self.saved(clip, self.as_text(twice), "--profile", "d3d11",
+                                     "--assume-transform-error", "2")
+        self.assertIn("assumed, for no specification", first)
+        self.assertEqual(first, again)
+
+    def test_a_subject_draws_the_saved_case_and_is_not_legal_there(self):
+        """With a third triangle that has no part in it."""
+        scene = dict(SQUARE, vertices=[*SQUARE["vertices"], [0.25, 3.25], [3.75, 3.25], [2, 3.75]],
+                     triangles=[*SQUARE["triangles"], [4, 5, 6]])
+        other = self.write("other.json", json.dumps(scene))
+        case, _, _ = self.saved(other, "--subject", "textbook", "--profile", "vulkan")
+        self.assertEqual(case["scene"]["triangles"], SQUARE["triangles"])
+        self.assertEqual(case["subject"], "textbook")
+        # Its facings go by the place in the list: of two triangles one alone has another place.
+        case, _, again = self.saved(self.scene, "--subject", "mutant:vulkan-facing-by-place",
+                                    "--profile", "vulkan")
+        self.assertIn("vulkan.facing", again)
+        self.assertEqual(case["scene"]["triangles"], SQUARE["triangles"])
+
+    def test_a_fault_of_a_saved_drawing_is_named(self):
+        twice = self.drawn("vulkan-canonical")
+        twice[1][1] = 2
+        case, _, _ = self.saved(self.scene, self.as_text(twice), "--profile", "vulkan")
+        numbers = case["drawing"]["numbers"]
+        for change, names in (
+                ({"numbers": numbers[1:]}, ["drawing.numbers", "3 rows", "4"]),
+                ({"numbers": [row[1:] for row in numbers]}, ["drawing.numbers", "12 numbers"]),
+                ({"numbers": [numbers[0][1:], *numbers[1:]]}, ["drawing.numbers[1]", "4 numbers"]),
+                ({"numbers": [[-1] * 4] * 4}, ["drawing.numbers[0][0]"]),
+                ({"shows": "ids", "numbers": [[3] * 4] * 4}, ["column 0 row 0", "id is 3"]),
+                ({"shows": "colours"}, ["drawing.shows", "colours"]),
+                ({"shows": "mask", "fronts": NO_FRONT}, ["drawing.fronts", "no facings"]),
+                ({"fronts": [[2] * 4] * 4}, ["drawing.fronts: column 0 row 0", "2 front-facing"])):
+            broken = dict(case, drawing=dict(case["drawing"], **change))
+            self.refused("legal", self.write("broken.json", json.dumps(broken)),
+                         names=["broken.json", *names])
+        del case["drawing"]
+        self.refused("legal", self.write("case.json", json.dumps(case)), names=["one drawing"])
+
+
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1], verbosity=0)

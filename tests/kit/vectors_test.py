@@ -3,6 +3,7 @@ its tie rule is wrong. Those whose language is not installed are skipped, which 
 
 usage: vectors_test.py PROGRAM SOURCES C-COMPILER
 """
+import json
 import os
 import shutil
 import subprocess
@@ -40,8 +41,8 @@ class ReadersTest(unittest.TestCase):
         done = self.run_here(*wrong)
         self.assertRegex(done.stdout, r"\n\d+ contradictions in \d+ cases\n\Z", profile)
 
-    def both_profiles(self, form, out):
-        for profile in ("vulkan", "d3d11-canonical"):
+    def both_profiles(self, form, out, more=()):
+        for profile in ("vulkan", "d3d11-canonical", *more):
             with self.subTest(profile):
                 self.generate(profile, form, out)
                 yield profile
@@ -69,7 +70,14 @@ class ReadersTest(unittest.TestCase):
 
     @unittest.skipUnless(shutil.which("iverilog"), "iverilog is not installed")
     def test_systemverilog(self):
-        for profile in self.both_profiles("readmemh", "."):
+        """Also of grids beside the locations' and of several samples, which the header states."""
+        mine = {"name": "mine", "contract": "sample-exact", "coordinate_limit": 4096}
+        four = [[0.375, 0.125], [0.875, 0.375], [0.125, 0.625], [0.625, 0.875]]
+        files = [os.path.join(self.folder.name, name) for name in ("4.json", "12.json")]
+        for path, bits, locations in zip(files, (4, 12), (four, four[:2])):
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump(dict(mine, subpixel_bits=bits, sample_locations=locations), file)
+        for profile in self.both_profiles("readmemh", ".", files):
             for inclusive in ("0", "1"):
                 done = self.run_here("iverilog", "-g2012", "-I.", "-P",
                                      f"reader.INCLUSIVE={inclusive}", "-o", f"reader{inclusive}",

@@ -202,6 +202,7 @@ class FiguresTest(unittest.TestCase):
         page = read("docs/scene-format.md")
         for path, name in (("scene_file", "kKeys"), ("case_file", "kCaseKeys"),
                            ("case_file", "kOptionKeys"), ("case_file", "kDrawnKeys"),
+                           ("case_file", "kDrawingMembers"),
                            ("scene_set", "kSetKeys"), ("scene_set", "kEntryKeys")):  # fmt: skip
             keys = re.search(rf"{name}\{{([^}}]*)\}}", read(f"io/{path}.cc"))[1]
             for key in re.findall(r'"(\w+)"', keys):

@@ -1,4 +1,4 @@
-// Judges a rasterizer of whole numbers by vectors: 8 subpixel bits, one sample, y down.
+// Judges a rasterizer of whole numbers by vectors, with their subpixel bits and samples, y down.
 //   rasterproof vectors generate --profile P --format readmemh --out FOLDER
 //   cd FOLDER && iverilog -g2012 -I . -o reader .../reader.sv && vvp reader
 // or, by Verilator 5 (tried with 5.006):
@@ -9,13 +9,14 @@
 module reader;
   parameter INCLUSIVE = 0;
   reg [31:0] cases[0:VECTORS_CASES * cases_COLUMNS - 1];
+  reg [31:0] locations[0:VECTORS_LOCATIONS * locations_COLUMNS - 1];
   reg [31:0] vertices[0:VECTORS_VERTICES * vertices_COLUMNS - 1];
   reg [31:0] triangles[0:VECTORS_TRIANGLES * triangles_COLUMNS - 1];
   reg [31:0] joints[0:(VECTORS_JOINTS == 0 ? 1 : VECTORS_JOINTS * joints_COLUMNS) - 1];
   reg [VECTORS_ROW_BITS - 1:0] must[0:VECTORS_ROWS - 1];
   reg [VECTORS_ROW_BITS - 1:0] may[0:VECTORS_ROWS - 1];
 
-  integer n, c, t, x, y, j, k, row, first, count, wrong;
+  integer n, c, t, x, y, s, j, k, row, bit_at, first, count, wrong;
 
   // The reader: load, compare, say what contradicts.
   initial begin
@@ -34,8 +35,10 @@ module reader;
 
   task load;
     begin
-      if (VECTORS_VERSION != 1 || VECTORS_LATTICE_BITS != 8 || VECTORS_Y_UP != 0) $fatal(1);
+      if (VECTORS_VERSION != 1) $fatal(1, "vectors of another version than 1");
+      if (VECTORS_Y_UP != 0) $fatal(1, "y points up, and this rasterizer's points down");
       $readmemh("cases.hex", cases);
+      $readmemh("locations.hex", locations);
       $readmemh("vertices.hex", vertices);
       $readmemh("triangles.hex", triangles);
       $readmemh("joints.hex", joints);
@@ -46,14 +49,16 @@ module reader;
 
   task judge_triangle;
     for (y = 0; y < cases[c + cases_height]; y = y + 1)
-      for (x = 0; x < cases[c + cases_width]; x = x + 1) begin
-        row = triangles[t * triangles_COLUMNS + triangles_first_row] + y;
-        if (!may[row][x] && covers(t, x, y) != must[row][x]) begin
-          $display("case %0d triangle %0d column %0d row %0d: must%s be covered", n, t - first, x,
-                   y, must[row][x] ? "" : " not");
-          wrong = wrong + 1;
+      for (x = 0; x < cases[c + cases_width]; x = x + 1)
+        for (s = 0; s < cases[c + cases_samples]; s = s + 1) begin
+          row = triangles[t * triangles_COLUMNS + triangles_first_row] + y;
+          bit_at = x * cases[c + cases_samples] + s;
+          if (!may[row][bit_at] && covers(t, x, y, s) != must[row][bit_at]) begin
+            $display("case %0d triangle %0d column %0d row %0d sample %0d: must%s be covered", n,
+                     t - first, x, y, s, must[row][bit_at] ? "" : " not");
+            wrong = wrong + 1;
+          end
         end
-      end
   endtask
 
   task judge_joint;
@@ -61,49 +66,63 @@ module reader;
       k = (cases[c + cases_first_joint] + j) * joints_COLUMNS;
       x = joints[k + joints_column];
       y = joints[k + joints_row];
+      s = joints[k + joints_sample];
       count = 0;
       for (t = 0; t < cases[c + cases_triangles]; t = t + 1)
-        if (joints[k + joints_triangles][t] && covers(first + t, x, y)) count = count + 1;
+        if (joints[k + joints_triangles][t] && covers(first + t, x, y, s)) count = count + 1;
       if (!joints[k + joints_counts][count]) begin
-        $display("case %0d column %0d row %0d: %0d triangles cover it", n, x, y, count);
+        $display("case %0d column %0d row %0d sample %0d: %0d triangles cover it", n, x, y, s,
+                 count);
         wrong = wrong + 1;
       end
     end
   endtask
 
-  // Your rasterizer in place of this one. All numbers in 1/256 pixel; the rule is top-left.
+  // Your rasterizer in place of this one. All numbers have the finer of two grids: the vertices',
+  // and 1/256 pixel, in which locations are. The rule is top-left.
+  localparam BITS = VECTORS_LATTICE_BITS > 8 ? VECTORS_LATTICE_BITS : 8;
 
-  // E(a, b; x, y): products of the largest coordinates have 66 bits.
-  function automatic signed [71:0] edge_at(input signed [71:0] ax, input signed [71:0] ay,
-                                           input signed [71:0] bx, input signed [71:0] by,
-                                           input signed [71:0] x, input signed [71:0] y);
+  // E(a, b; x, y): coordinates have 40 bits, differences 41, a product of two 82.
+  function automatic signed [95:0] edge_at(input signed [95:0] ax, input signed [95:0] ay,
+                                           input signed [95:0] bx, input signed [95:0] by,
+                                           input signed [95:0] x, input signed [95:0] y);
     edge_at = (x - ax) * (by - ay) - (y - ay) * (bx - ax);
   endfunction
 
   // Whether the sample lies on the inner side of a -> b, or on it and the edge owns it.
-  function automatic is_inside(input signed [71:0] ax, input signed [71:0] ay,
-                               input signed [71:0] bx, input signed [71:0] by,
-                               input signed [71:0] x, input signed [71:0] y);
-    reg signed [71:0] e;
+  function automatic is_inside(input signed [95:0] ax, input signed [95:0] ay,
+                               input signed [95:0] bx, input signed [95:0] by,
+                               input signed [95:0] x, input signed [95:0] y);
+    reg signed [95:0] e;
     e = edge_at(ax, ay, bx, by, x, y);
     is_inside = e > 0 ||
         (e == 0 && (INCLUSIVE != 0 || by > ay || (by == ay && bx < ax)));
   endfunction
 
-  // Whether triangle t of the file covers the sample.
-  function automatic covers(input integer t, input integer column, input integer row);
-    reg signed [31:0] ax, ay, bx, by, cx, cy;
-    reg signed [71:0] area;
-    integer x, y, k;
+  // Column `axis` of a vertex.
+  function automatic signed [39:0] vertex(input integer v, input integer axis);
+    reg signed [31:0] stored;
+    stored = vertices[v * vertices_COLUMNS + axis];
+    vertex = stored;
+    vertex = vertex <<< (BITS - VECTORS_LATTICE_BITS);
+  endfunction
+
+  // Whether triangle t of the file covers a sample of case n.
+  function automatic covers(input integer t, input integer column, input integer row,
+                            input integer sample);
+    reg signed [39:0] ax, ay, bx, by, cx, cy, x, y;
+    reg signed [95:0] area;
+    integer k;
     k = t * triangles_COLUMNS;
-    ax = vertices[2 * triangles[k]];
-    ay = vertices[2 * triangles[k] + 1];
-    bx = vertices[2 * triangles[k + 1]];
-    by = vertices[2 * triangles[k + 1] + 1];
-    cx = vertices[2 * triangles[k + 2]];
-    cy = vertices[2 * triangles[k + 2] + 1];
-    x = 256 * column + 128;
-    y = 256 * row + 128;
+    ax = vertex(triangles[k], vertices_x);
+    ay = vertex(triangles[k], vertices_y);
+    bx = vertex(triangles[k + 1], vertices_x);
+    by = vertex(triangles[k + 1], vertices_y);
+    cx = vertex(triangles[k + 2], vertices_x);
+    cy = vertex(triangles[k + 2], vertices_y);
+    k = (cases[c + cases_first_location] + sample) * locations_COLUMNS;
+    x = (256 * column + locations[k + locations_x]) << (BITS - 8);
+    y = (256 * row + locations[k + locations_y]) << (BITS - 8);
     area = edge_at(ax, ay, bx, by, cx, cy);
     if (area > 0)
       covers = is_inside(ax, ay, bx, by, x, y) && is_inside(bx, by, cx, cy, x, y) &&

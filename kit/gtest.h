@@ -18,6 +18,13 @@
 // a run is the same tomorrow; more options of `check` are taken from the environment variable
 // RASTERPROOF_CHECK_OPTIONS ("--time-limit 1": what hangs costs ten times that once a test).
 //
+// "--known known.json" there is a list of known failures: they are skipped with owner and day, and
+// those that pass say so. Its key "subject" is the suite's name.
+//
+// The command finds the suite in a file beside this test program, PROGRAM.SUITE.subject, as do the
+// commands that failures name. Where none can be written there it is a temporary one, which stays
+// after a failure.
+//
 // The command is the one in the environment variable RASTERPROOF_COMMAND, else the one that the
 // macro of that name says (CMake's rasterproof::gtest does), else `rasterproof` in PATH.
 //
@@ -111,28 +118,52 @@ inline std::vector<std::string> PropertyNames() {
   return names;
 }
 
-// A file that lasts as long as this, unless it is kept.
-class TemporaryFile {
+inline std::string ThisProgram() {
+  char self[4096] = {};
+  const ssize_t size = readlink("/proc/self/exe", self, sizeof self - 1);
+  return std::string(self, size < 0 ? 0 : static_cast<std::size_t>(size));
+}
+
+// A suite's description as a file.
+class DescriptionFile {
  public:
-  explicit TemporaryFile(const std::string& text) {
-    path_ = ::testing::TempDir() + "rasterproofXXXXXX.subject";
-    const int file = mkstemps(path_.data(), 8);
-    std::FILE* const out = file < 0 ? nullptr : fdopen(file, "w");
-    if (out == nullptr) return;
-    is_written_ = std::fputs(text.c_str(), out) >= 0;
-    is_written_ = std::fclose(out) == 0 && is_written_;
+  DescriptionFile(const std::string& suite, const std::string& text) {
+    const std::string beside = ThisProgram() + "." + suite + ".subject";
+    // Renamed when it is whole: tests of the suite may run at once.
+    if (Write(beside + "XXXXXX", 0, text) && std::rename(path_.c_str(), beside.c_str()) == 0) {
+      path_ = beside;
+      is_kept_ = true;
+      return;
+    }
+    Remove();
+    Write(::testing::TempDir() + "rasterproofXXXXXX.subject", 8, text);
   }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() {
-    if (!is_kept_) std::remove(path_.c_str());
+  DescriptionFile(const DescriptionFile&) = delete;
+  DescriptionFile& operator=(const DescriptionFile&) = delete;
+  ~DescriptionFile() {
+    if (!is_kept_) Remove();
   }
   void Keep() { is_kept_ = true; }
   const std::string& path() const { return path_; }
   bool is_written() const { return is_written_; }
 
  private:
+  bool Write(const std::string& pattern, int ending, const std::string& text) {
+    path_ = pattern;
+    const int file = mkstemps(path_.data(), ending);
+    is_made_ = file >= 0;
+    std::FILE* const out = file < 0 ? nullptr : fdopen(file, "w");
+    if (out == nullptr) return false;
+    is_written_ = std::fputs(text.c_str(), out) >= 0;
+    is_written_ = std::fclose(out) == 0 && is_written_;
+    return is_written_;
+  }
+  void Remove() {
+    if (is_made_) std::remove(path_.c_str());
+  }
+
   std::string path_;
+  bool is_made_ = false;
   bool is_written_ = false;
   bool is_kept_ = false;
 };
@@ -145,28 +176,29 @@ inline std::string DescriptionOf(const Suite& suite) {
   std::fclose(out);
   std::string description(text, size);
   std::free(text);
-  char self[4096] = {};
-  if (readlink("/proc/self/exe", self, sizeof self - 1) < 0) self[0] = '\0';
   // Answers go to descriptor 3: what GoogleTest and the rasterizer print is none.
   description += "command sh -c '" + std::string(kServe) +
                  "=\"$1\" exec \"$0\" --gtest_filter=\"$1.Serve\" 3>&1 >/dev/null' " +
-                 Quoted(self) + " " + suite.name + "\n";
+                 Quoted(ThisProgram()) + " " + suite.name + "\n";
   return description;
 }
 
-// The command's line that says why nothing was judged, or nothing. It names the description, whose
-// name a rasterizer that prints such a line of its own can't know before it draws.
-inline std::string WhyNotJudged(const std::string& output, const std::string& description) {
+// The command's last line that begins with one of the words and names the description, or nothing.
+// What the rasterizer prints begins otherwise.
+inline std::string LineOf(const std::string& output, const std::string& description,
+                          const std::vector<std::string>& words) {
+  std::string found;
   std::size_t begin = 0;
   while (begin < output.size()) {
     const std::size_t end = std::min(output.find('\n', begin), output.size());
     const std::string line = output.substr(begin, end - begin);
-    const bool says_so =
-        line.rfind("not applicable ", 0) == 0 || line.rfind("not exercised ", 0) == 0;
-    if (says_so && line.find(" " + description + " ") != std::string::npos) return line;
+    const bool is_one = std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+      return line.rfind(word + " ", 0) == 0;
+    });
+    if (is_one && line.find(" " + description + " ") != std::string::npos) found = line;
     begin = end + 1;
   }
-  return "";
+  return found;
 }
 
 class PropertyTest : public ::testing::Test {
@@ -175,7 +207,7 @@ class PropertyTest : public ::testing::Test {
       : suite_(suite), property_(std::move(property)) {}
 
   void TestBody() override {
-    TemporaryFile description(DescriptionOf(suite_));
+    DescriptionFile description(suite_.name, DescriptionOf(suite_));
     ASSERT_TRUE(description.is_written())
         << "rasterproof: " << description.path() << " can't be written; set TEST_TMPDIR";
     const char* const more = std::getenv("RASTERPROOF_CHECK_OPTIONS");
@@ -183,8 +215,15 @@ class PropertyTest : public ::testing::Test {
         ShellOutput(Quoted(Command()) + " check --subject " + Quoted(description.path()) +
                     " --property " + property_ + " --cases " + std::to_string(suite_.cases) +
                     " --jobs 1 " + (more == nullptr ? "" : more) + " 2>&1");
-    if (ended.status == 0) return;
-    const std::string why = WhyNotJudged(ended.output, description.path());
+    if (ended.status == 0) {
+      const std::string known = LineOf(ended.output, description.path(), {"known"});
+      if (!known.empty()) GTEST_SKIP() << known;
+      const std::string passes = LineOf(ended.output, description.path(), {"passes"});
+      if (!passes.empty()) std::printf("%s\n", passes.c_str());
+      return;
+    }
+    const std::string why =
+        LineOf(ended.output, description.path(), {"not applicable", "not exercised"});
     if (ended.status == kNothingJudged && !why.empty()) GTEST_SKIP() << why;
     description.Keep();  // the command to type again names it
     ADD_FAILURE() << ended.output;

@@ -11,6 +11,10 @@
 // `std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs)` if it draws several scenes in one
 // call. A `static SubjectInfo Info()` says which.
 //
+// The program links all that the command is made of, so this header is for projects that take the
+// source, and not installed. With the installed package a type is a suite of kit/gtest.h, or a
+// plugin (kit/rasterproof_plugin.h).
+//
 // The program takes the verbs of rasterproof; Mine is the subject if none is named. It runs in its
 // own process: a crash or a hang is a finding.
 #ifndef RASTERPROOF_KIT_MAIN_H_

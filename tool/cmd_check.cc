@@ -80,20 +80,21 @@ struct Share {
 // Ends the run with the first violation, if that is asked for. Several threads look at once.
 class FailFast {
  public:
-  FailFast(const CheckOptions& options, const ResolvedCheck& asked, const std::string& subject)
-      : is_on_(options.fail_fast), fail_on_(options.fail_on), asked_(asked), subject_(subject) {}
+  FailFast(const CheckOptions& options, const std::vector<KnownFailure>& known,
+           const std::string& subject)
+      : is_on_(options.fail_fast), fail_on_(options.fail_on), known_(known), subject_(subject) {}
   bool HasFailed() const { return has_failed_; }
   void Look(const Share& share) {
     if (!is_on_ || !share.finding) return;
     const PropertyResult& result = share.finding->result;
-    if (IsFailure(result, fail_on_) && !IsKnown(asked_.known, Today(), subject_, result.property))
+    if (IsFailure(result, fail_on_) && !IsKnown(known_, Today(), subject_, result.property))
       has_failed_ = true;
   }
 
  private:
   bool is_on_;
   FailOn fail_on_;
-  const ResolvedCheck& asked_;
+  const std::vector<KnownFailure>& known_;
   const std::string& subject_;
   std::atomic<bool> has_failed_ = false;
 };
@@ -355,13 +356,23 @@ std::string Hint(const std::string& subject, const Findings& found, const std::s
   return fmt::format("what profile it does follow: {}\n", CommandFor("infer", choice));
 }
 
+// An entry may name the subject as it does itself, which is the same wherever its files lie.
+std::vector<KnownFailure> KnownOf(std::vector<KnownFailure> known, const Findings& found) {
+  for (KnownFailure& entry : known) {
+    if (!entry.subject.empty() && entry.subject == found.stated_name) entry.subject = found.subject;
+  }
+  return known;
+}
+
 // Runs what is asked of one subject. What was found up to an error is printed all the same.
 Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
                const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
   Findings found{subject.name(), options.fail_on, crew.Of(0).Info().profile};
-  FailFast fail_fast(options, asked, subject.name());
+  found.stated_name = crew.Of(0).Info().stated_name;
+  const std::vector<KnownFailure> known = KnownOf(asked.known, found);
+  FailFast fail_fast(options, known, subject.name());
   try {
     Progress progress(crew.size());
     if (asked.cases.empty()) {
@@ -396,7 +407,7 @@ int RunCheck(const CheckOptions& options) {
     Findings found = Check(subject, asked, options);
     cases += found.cases;
     const std::string causes = Causes(subject, options, found);
-    ApplyKnownFailures(asked.known, Today(), found);
+    ApplyKnownFailures(KnownOf(asked.known, found), Today(), found);
     if (options.json != "-") {
       io::WriteStandardOutput(FindingsText(found, options.verbose) + causes +
                               report::AssumptionLines(found.profile) + LastLine(found) +

@@ -55,6 +55,7 @@ struct Findings {
   std::uint64_t expired = 0;  ///< entries of known failures: each of them fails the run
   props::Explanation explanation = {};
   std::vector<std::size_t> explained = {};  ///< the findings that it is about, by their places
+  std::string stated_name = {};             ///< SubjectInfo::stated_name
 };
 
 /// Whether the run fails by it.

@@ -58,7 +58,7 @@ SubjectMaker Hosted(const std::string& name, const FloatModeOfHost& float_mode) 
                                               name, OutsideLimits());
   SubjectInfo info = ParseDescription(text, name).info;
   info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
-  info.name = name;
+  info.stated_name = std::exchange(info.name, name);
   info.protocol = subjects::kProtocol;
   std::vector<std::string> command{ThisProgram(), "pipe", "answer", name};
   if (float_mode.where != FloatModeOfHost::Where::kNowhere) {
@@ -89,7 +89,7 @@ void RequireProgram(const std::string& command, const std::string& name) {
 }
 
 SubjectInfo NamedProgram(SubjectInfo info, const std::string& name) {
-  info.name = name;
+  info.stated_name = std::exchange(info.name, name);
   info.list_length = kListLengthOfPrograms;
   return info;
 }

@@ -2,6 +2,7 @@
 
 usage: install_test.py CMAKE BUILD SOURCES
 """
+import json
 import os
 import re
 import shutil
@@ -116,6 +117,36 @@ class Installed(unittest.TestCase):
         again = run("sh", "-c", f'"$0" {replay}', self.command)
         self.assertEqual(again.returncode, 1, again.stderr)
         self.assertIn("observed covered 2 times, expected exactly once", again.stdout)
+
+    def test_a_known_failure_is_skipped_with_its_owner_and_day(self):
+        name = "Textbook.SharedEdgeSamplesAreCoveredOnce"
+        temporary = os.path.join(self.folder.name, "temporary")
+        os.makedirs(temporary)
+        for subject, until, outcome in (
+                ("Textbook", "2999-12-31", "SKIPPED"), (None, "2999-12-31", "SKIPPED"),
+                ("Other", "2999-12-31", "FAILED"), ("Textbook", "2001-12-31", "FAILED")):
+            entry = {"property": name.split(".")[1], "owner": "ada@example.org", "until": until}
+            if subject:
+                entry["subject"] = subject
+            done = self.known_suite(temporary, name, entry)
+            self.assertEqual(outcomes(done)[outcome], {name}, done.stdout)
+            if outcome == "SKIPPED":
+                self.assertIn("ada@example.org mends it by 2999-12-31", done.stdout)
+        name = "Textbook.TriangleOrderKeepsCoverage"
+        passes = {"property": name.split(".")[1], "subject": "Textbook", "owner": "ada",
+                  "until": "2999-12-31"}  # fmt: skip
+        done = self.known_suite(temporary, name, passes)
+        self.assertEqual(outcomes(done)["OK"], {name}, done.stdout)
+        self.assertRegex(done.stdout, "\npasses .*though it is known to fail; tell ada")
+        self.assertEqual(os.listdir(temporary), [])
+        self.assertTrue(os.path.exists(os.path.join(self.own, "mine_test.Textbook.subject")))
+
+    def known_suite(self, temporary, name, entry):
+        path = os.path.join(self.folder.name, "known.json")
+        with open(path, "w", encoding="utf-8") as file:
+            json.dump({"rasterproof_known_failures": 1, "failures": [entry]}, file)
+        return self.suite("mine_test", "--gtest_filter=" + name, TEST_TMPDIR=temporary,
+                          RASTERPROOF_CHECK_OPTIONS="--known " + path)
 
     def test_a_crash_a_hang_and_a_refusal_fail_their_tests_alone(self):
         done = self.suite("suites_test", "--gtest_filter=Crashing.ClosedMeshCancels:"

@@ -41,6 +41,7 @@ struct EdgeTerm {
   // The value, and the one with x and y exchanged: both are held by a register of this width.
   std::vector<EdgeFormula> formulas;
   bool depends_on_p = true;
+  bool is_of_offsets = false;  ///< also where p is a sample's offset in its pixel
 };
 
 EdgeInteger Wide(std::int64_t x) { return x; }
@@ -124,6 +125,14 @@ std::vector<PointPlace> Places(const EdgeUnit& unit) {
   };
 }
 
+// From the pixel's upper left corner; as one place of several points.
+PointPlace Offsets(const EdgeUnit& unit) {
+  return {"offset", "sample in its pixel",
+          SamplesOf({.input = unit.input, .pattern = unit.pattern}, 0)};
+}
+
+EdgeInteger BiasedEdge(const EdgeInput& e) { return EdgeOf(e) - 1; }
+
 EdgeFormula Multiple(std::int64_t factor, EdgeInteger (*value)(const EdgeInput&)) {
   return [factor, value](const EdgeInput& e) { return factor * value(e); };
 }
@@ -155,8 +164,15 @@ std::vector<EdgeTerm> EdgeTerms(const EdgeUnit& unit) {
       {"affine",
        "product",
        "A p.x, B p.y",
-       {[](E e) { return A(e) * e.px; }, [](E e) { return B(e) * e.py; }}},
-      {"affine", "sum", "A p.x + B p.y", {[](E e) { return A(e) * e.px + B(e) * e.py; }}},
+       {[](E e) { return A(e) * e.px; }, [](E e) { return B(e) * e.py; }},
+       true,
+       true},
+      {"affine",
+       "sum",
+       "A p.x + B p.y",
+       {[](E e) { return A(e) * e.px + B(e) * e.py; }},
+       true,
+       true},
       {"affine", "e", "E", {EdgeOf}},
       {"stepped", "step", "step of 1 pixel", {Multiple(pixel, A), Multiple(pixel, B)}, false},
   };
@@ -168,6 +184,7 @@ std::vector<EdgeTerm> EdgeTerms(const EdgeUnit& unit) {
                       false});
   }
   values.push_back({"stepped", "e", "E, accumulated", {EdgeOf}});
+  values.push_back({"biased", "e", "E, E - 1", {EdgeOf, BiasedEdge}});
   return values;
 }
 
@@ -306,6 +323,7 @@ std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit) {
       continue;
     }
     for (const PointPlace& place : places) widths.push_back(WidthOf(value, vertices, place));
+    if (value.is_of_offsets) widths.push_back(WidthOf(value, vertices, Offsets(unit)));
   }
   const EdgeTerm area = {"area", "e", "E(a, b; c), twice it", {EdgeOf}};
   widths.push_back(WidthOf(area, vertices, {"vertex", "third vertex", {{vertices, vertices}}}));

@@ -43,7 +43,7 @@ struct EdgeInput {
 /// The range of one intermediate value over all inputs.
 struct EdgeWidth {
   std::string id;     ///< "direct-e-target": form, value, place
-  std::string form;   ///< "direct", "affine" or "stepped"
+  std::string form;   ///< "direct", "affine", "stepped", "biased" or "area"
   std::string value;  ///< as a formula: "(p.x - a.x)(b.y - a.y)"
   std::string place;  ///< where p lies, in words; empty: the value does not depend on p
   int bits = 0;       ///< the fewest in two's complement that hold `least` and `most`
@@ -62,6 +62,10 @@ struct EdgeWidth {
 ///     direct   E = (p.x - a.x)(b.y - a.y) - (p.y - a.y)(b.x - a.x)
 ///     affine   E = A p.x + B p.y + C, A = b.y - a.y, B = a.x - b.x, C = a.y b.x - a.x b.y
 ///     stepped  E += A, E += B, times one pixel or one tile
+///     biased   E, or E - 1 where the edge does not own the samples on it: inside is then >= 0
+///
+/// A p.x + B p.y also where p is a sample's offset from its pixel's upper left corner: what a
+/// sample adds to E there.
 ///
 /// Properties: exact. Each value is affine in each of the six coordinates alone, and each of these
 ///             has its own range: so the least and the largest lie at the 64 corners, which are

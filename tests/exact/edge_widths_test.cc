@@ -81,6 +81,8 @@ void TakeEdge(const Axis& of, std::int64_t ax, std::int64_t ay, std::int64_t bx,
   for (const auto& [px, py] : of.points) {
     const std::int64_t e = (px - ax) * (by - ay) - (py - ay) * (bx - ax);
     ends["direct-e-" + place].Take(e);
+    ends["biased-e-" + place].Take(e);
+    ends["biased-e-" + place].Take(e - 1);
     ends["direct-p-a-" + place].Take(px - ax);
     ends["direct-p-a-" + place].Take(py - ay);
     ends["direct-product-" + place].Take((px - ax) * (by - ay));
@@ -149,17 +151,19 @@ void ExpectTheWidthsOfEveryInput(const EdgeUnit& unit, std::int64_t step, std::i
       {"target", SamplesUpTo(unit, 0, side, INT64_MAX)},
       {"corner", Squared(Every(tile, 0, tiles * tile))},
       {"pixel-past", SamplesUpTo(unit, -1, side + 1, INT64_MAX)},
-      {"tile-past", Squared(Every(tile, -tile, (tiles + 1) * tile))}};
+      {"tile-past", Squared(Every(tile, -tile, (tiles + 1) * tile))},
+      {"offset", SamplesUpTo(unit, 0, 1, INT64_MAX)}};
   const auto bits = BitsOf(unit);
   int compared = 0;
   for (const auto& [place, points] : places) {
     for (const auto& [id, ends] : ByEveryInput({Every(step, first, last), points}, place)) {
+      if (place == "offset" && id != "affine-product-offset" && id != "affine-sum-offset") continue;
       ASSERT_TRUE(bits.contains(id)) << id;
       EXPECT_EQ(bits.at(id), ends.Bits()) << id << ": " << ends.least << " to " << ends.most;
       ++compared;
     }
   }
-  EXPECT_EQ(compared, 5 * 8);
+  EXPECT_EQ(compared, 5 * 10 + 2);
 }
 
 TEST(EdgeWidths, AreThoseOfEveryInputOfATinyFormat) {
@@ -205,6 +209,22 @@ TEST(EdgeWidths, OfFourStandardSamplesCountInEighths) {
   EXPECT_EQ(BitsOf(unit).at("direct-e-target"), at_centres + 2);
 }
 
+// b -> a has -E: from -m to m, of which two's complement holds -m - 1 as well.
+TEST(EdgeWidths, OfEHoldTheBiasOfTheTieRuleAsWell) {
+  for (const EdgeUnit& unit :
+       {UnitOf(12, 4, 4096, 8), UnitOf(2, 0, 2, 1), UnitOf(2, 1, 4, 1, false),
+        WithSamples(UnitOf(6, 2, 64, 8), {{0.125, 0.875}, {0.5, 0}})}) {
+    int compared = 0;
+    const auto bits = BitsOf(unit);
+    for (const auto& [id, n] : bits) {
+      if (!id.starts_with("biased")) continue;
+      EXPECT_EQ(n, bits.at("direct" + id.substr(6))) << id;
+      ++compared;
+    }
+    EXPECT_EQ(compared, 5);
+  }
+}
+
 TEST(EdgeWidths, OneBitLessLosesTheWitness) {
   for (const EdgeUnit& unit : {UnitOf(12, 4, 4096, 8), UnitOf(3, 1, 4, 2), UnitOf(24, 8, 600, 16),
                                UnitOf(31, 16, 65536, 64), UnitOf(4, 2, 9, 4, false),
@@ -214,7 +234,8 @@ TEST(EdgeWidths, OneBitLessLosesTheWitness) {
       EXPECT_NE(WrappedTo(width.extreme, width.bits - 1), width.extreme) << width.id;
       EXPECT_TRUE(width.extreme == width.least || width.extreme == width.most) << width.id;
       if (width.value.starts_with("E")) {
-        EXPECT_EQ(EdgeOf(width.witness), width.extreme) << width.id;
+        const EdgeInteger bias = EdgeOf(width.witness) - width.extreme;
+        EXPECT_TRUE(bias == 0 || (width.form == "biased" && bias == 1)) << width.id;
       }
     }
   }

@@ -163,7 +163,7 @@ void ExpectTheWidthsOfEveryInput(const EdgeUnit& unit, std::int64_t step, std::i
       ++compared;
     }
   }
-  EXPECT_EQ(compared, 5 * 10 + 2);
+  EXPECT_EQ(compared, 5 * 9 + 2);
 }
 
 TEST(EdgeWidths, AreThoseOfEveryInputOfATinyFormat) {

@@ -37,7 +37,8 @@ class LegalClausesTest(LegalCase):
 
     def test_the_owner_of_a_sample_and_its_coverage_are_told_apart(self):
         right = self.drawn("vulkan-canonical")
-        twice, lost, both = ([row[:] for row in right] for _ in range(3))
+        twice, lost, both, thrice = ([row[:] for row in right] for _ in range(4))
+        thrice[1][1] = 3  # of two triangles
         twice[1][1] = both[1][1] = 2  # on the diagonal
         lost[0][2] = both[0][2] = 0  # inside of the first triangle
         for rows, profile, expected in (
@@ -49,7 +50,7 @@ class LegalClausesTest(LegalCase):
                 (twice, "d3d11", ["d3d11.top-left", "d3d11.two-edges"]),
                 (lost, "d3d11", ["d3d11.point-sampling", "d3d11.snap-tolerance",
                                  "d3d11.eight-bits"]),
-                (lost, "webgpu", ["webgpu.point-sampling"]),
+                (thrice, "webgpu", ["webgpu.point-sampling"]),
                 (twice, "vulkan-canonical", "by the stated model: who owns a sample on an edge"),
                 (both, "vulkan-canonical", "by the stated model: who owns a sample on an edge; "
                  "samples inside a placed triangle are covered, others are not")):  # fmt: skip

@@ -119,11 +119,13 @@ void AppendRows(std::string_view key, const std::vector<std::uint32_t>& numbers,
                 std::string& json) {
   const std::size_t length = numbers.size() / static_cast<std::size_t>(height);
   json += ",\n    \"" + std::string(key) + "\": [";
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    if (k % length == 0) json += k == 0 ? "[" : "],\n      [";
-    json += (k % length == 0 ? "" : ", ") + std::to_string(numbers[k]);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
+    json += row == 0 ? "[" : ",\n      [";
+    for (std::size_t k = 0; k < length; ++k)
+      json += (k == 0 ? "" : ", ") + std::to_string(numbers[row * length + k]);
+    json += ']';
   }
-  json += "]]";
+  json += ']';
 }
 
 std::string DrawingToJson(const CaseDrawing& drawing, int height) {

@@ -1,5 +1,6 @@
 #include "io/case_file.h"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,24 @@ TEST(CaseFileTest, CasesReadBack) {
   wider.width = 9;
   file.drawn = std::make_shared<const DrawnScene>(wider, DrawOptions{.scissor = {{0, 0, 8, 4}}});
   ExpectReadsBack(file);
+}
+
+TEST(CaseFileTest, DrawingsReadBack) {
+  CaseFile file{{OneTriangle(), Profile{}, DrawOptions{}, ""}, "exact", ""};
+  const Scene& scene = file.value.scene;
+  const auto rows = static_cast<std::uint32_t>(scene.height);
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t k = 0; k < 2 * rows; ++k) numbers.push_back(k == 1 ? UINT32_MAX : k);
+  for (const DrawingShows shows :
+       {DrawingShows::kCounts, DrawingShows::kMask, DrawingShows::kIds}) {
+    for (const bool has_fronts : {false, true}) {
+      file.drawing = {shows, "last", numbers, {}};
+      if (has_fronts) file.drawing->fronts.assign(2 * rows, 1);
+      EXPECT_EQ(ParseCase(CaseToJson(file), "written").drawing, file.drawing);
+    }
+  }
+  file.drawing = CaseDrawing{};  // of rows without a number, which no target has
+  EXPECT_EQ(ParseCase(CaseToJson(file), "written").drawing, file.drawing);
 }
 
 TEST(CaseFileTest, EveryPartOfAProfileReadsBack) {

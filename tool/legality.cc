@@ -277,6 +277,10 @@ InputError NotOneDrawing() {
 
 JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject) {
   io::CaseFile file = LoadCaseOrScene(options.scene);
+  if (file.value.options.cull != Cull::kNone || file.value.options.scissor) {
+    throw InputError(options.scene.path, "the case culls or has a scissor",
+                     "'rasterproof replay' judges it; this verb judges whole drawings");
+  }
   if (subject == nullptr && options.image.empty() && !file.drawing) throw NotOneDrawing();
   JudgedScene judged{std::move(file.value.scene), {}, std::move(file.drawing)};
   judged.profile = WithAssumptions(LegalProfileOf(options, file, subject), options);

@@ -195,6 +195,9 @@ class SavedCoreTest(LegalCase):
             broken = dict(case, drawing=dict(case["drawing"], **change))
             self.refused("legal", self.write("broken.json", json.dumps(broken)),
                          names=["broken.json", *names])
+        culls = dict(case, options={"cull": "back"})
+        self.refused("legal", self.write("culls.json", json.dumps(culls)),
+                     names=["culls.json", "culls or has a scissor", "replay"])
         del case["drawing"]
         self.refused("legal", self.write("case.json", json.dumps(case)), names=["one drawing"])
 

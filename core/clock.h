@@ -21,6 +21,9 @@ inline double SecondsOf(clockid_t clock) {
 /// Processor time of all threads of this process.
 inline double ProcessSeconds() { return SecondsOf(CLOCK_PROCESS_CPUTIME_ID); }
 
+/// Processor time of the calling thread.
+inline double ThreadSeconds() { return SecondsOf(CLOCK_THREAD_CPUTIME_ID); }
+
 /// Time since a fixed moment.
 inline double WallSeconds() { return SecondsOf(CLOCK_MONOTONIC); }
 

@@ -58,6 +58,10 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
     case CauseKind::kUnexplained:
       break;
   }
+  if (cause.rests_on_few) {
+    return fmt::format("too few draws to name a cause: only {} drawn wrong, as by {}",
+                       Counted(cause.wrong_scenes, "scene is", "scenes are"), Suspected(cause));
+  }
   return fmt::format("no suspect explains it ({} suspects, {} draws)", explanation.suspects,
                      explanation.draws);
 }
@@ -106,8 +110,11 @@ std::string CausesText(const props::Explanation& explanation,
     text += fmt::format("  explains {}\n", fmt::join(names, ", "));
   }
   if (explanation.causes.empty()) return text;
-  if (explanation.is_cut_short)
-    text += "  the search for causes was cut short: another suspect may explain them as well\n";
+  if (explanation.is_cut_short) {
+    text +=
+        "  the search for causes was cut short: another suspect may explain them as well; "
+        "--cause-seconds gives it more time\n";
+  }
   const auto named = std::ranges::count_if(
       explanation.causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });
   return text + fmt::format("{}, {}\n",

@@ -67,6 +67,8 @@ void AddProperty(JsonWriter& json, const Findings& found, const Finding& finding
 void AddCause(JsonWriter& json, const Findings& found, const props::Cause& cause) {
   json.BeginObject().Key("cause").Text(NameOfCause(cause));
   json.Key("text").Text(CauseText(cause, found.explanation));
+  json.Key("wrong_scenes").Integer(cause.wrong_scenes);
+  json.Key("too_few").Bool(cause.rests_on_few);
   json.Key("properties").BeginArrayLine();
   for (const std::size_t k : cause.properties)
     json.Text(found.all[found.explained[k]].result.property);

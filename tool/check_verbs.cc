@@ -9,6 +9,7 @@
 
 #include "CLI/CLI.hpp"
 #include "core/authority.h"
+#include "fmt/format.h"
 #include "tool/commands.h"
 #include "tool/shard.h"
 #include "tool/typed_number.h"
@@ -74,8 +75,20 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
                  "bits, sample locations, coordinate limit and guard band");
   verb->add_option("--save", options.save,
                    "Folder for shrunk counterexamples; those already there are replayed first");
-  verb->add_flag("--no-cause", options.no_cause,
-                 "Don't look for what explains the violations, which takes a few seconds");
+  CLI::Option* const no_cause =
+      verb->add_flag("--no-cause", options.no_cause,
+                     "Don't look for what explains the violations, which takes a few seconds");
+  CLI::Option* const cause_seconds = verb->add_option_function<std::string>(
+                                             "--cause-seconds",
+                                             [](const std::string& text) {
+                                               options.cause_seconds =
+                                                   ParseSeconds("--cause-seconds", text);
+                                             },
+                                             "Time to look for causes, as 30s or 2m: a quarter for "
+                                             "the subject to draw, the rest, of "
+                                             "processor time, to compare suspects with that")
+                                         ->default_str(fmt::format("{}s", options.cause_seconds))
+                                         ->excludes(no_cause);
   CLI::Option* const verbose =
       verb->add_flag("--verbose", options.verbose,
                      "Every property's line and every failure in full, not one screen");
@@ -104,7 +117,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   CLI::Option* const known = verb->add_option(
       "--known", options.known,
       "File of known failures, each with who mends it and until when: only others fail the run");
-  for (CLI::Option* of_properties : {verbose, fail_fast, json, known}) {
+  for (CLI::Option* of_properties : {verbose, fail_fast, json, known, cause_seconds}) {
     of_properties->excludes(catalogue);
     of_properties->excludes(fp_env);
   }

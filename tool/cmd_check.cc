@@ -343,7 +343,7 @@ std::string Causes(const SubjectFactory& subject, const CheckOptions& options, F
     found.explained.push_back(k);
   }
   if (options.no_cause || failed.empty() || Interrupted()) return "";
-  found.explanation = props::Explain([&] { return subject.Make(); }, failed);
+  found.explanation = props::Explain([&] { return subject.Make(); }, failed, options.cause_seconds);
   return CausesText(found.explanation, failed);
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/authority.h"
 #include "core/subject_info.h"
+#include "props/cause/cause.h"
 #include "props/run/campaign.h"
 
 namespace rasterproof::tool {
@@ -99,7 +100,9 @@ struct CheckOptions {
   int jobs = 1;                 ///< properties at once
   std::size_t list_length = 0;  ///< 0: the subject's own
   FailOn fail_on = FailOn::kStated;
-  bool no_cause = false;                 ///< violations are not explained
+  bool no_cause = false;  ///< violations are not explained
+  /// At most, for what explains them.
+  double cause_seconds = props::kCauseSeconds;
   std::string known;                     ///< file of failures that fail nothing; empty: none
   std::string json;                      ///< file; empty: none
   bool verbose = false;                  ///< every line, and every failure in full

@@ -6,9 +6,11 @@
 #include <string_view>
 
 #include "core/quoted.h"
+#include "core/suggestion.h"
 #include "fmt/format.h"
 #include "io/json_document.h"
 #include "io/output.h"
+#include "props/cause/cause.h"
 #include "props/property.h"
 #include "tool/causes.h"
 
@@ -20,6 +22,14 @@ using std::chrono::year_month_day;
 constexpr std::array<std::string_view, 2> kListKeys{"rasterproof_known_failures", "failures"};
 constexpr std::array<std::string_view, 5> kEntryKeysOfKnown{"property", "owner", "until", "subject",
                                                             "cause"};
+
+std::string ReadCauseName(const io::JsonValue& value) {
+  const std::string name(value.RequireString());
+  const std::vector<std::string_view> names = props::CauseNames();
+  if (std::ranges::find(names, name) != names.end()) return name;
+  throw value.Error(Quoted(name) + " is no cause",
+                    Suggestion(name, names) + "docs/causes.md has" + ListedNames(names));
+}
 
 KnownFailure ReadKnownFailure(const io::JsonValue& object) {
   object.RequireObject(kEntryKeysOfKnown);
@@ -36,7 +46,7 @@ KnownFailure ReadKnownFailure(const io::JsonValue& object) {
     throw object.Get("owner").Error("names nobody", "name who mends the failure");
   known.until = ReadDay(object.Get("until"));
   if (const auto subject = object.Find("subject")) known.subject = subject->RequireString();
-  if (const auto cause = object.Find("cause")) known.cause = cause->RequireString();
+  if (const auto cause = object.Find("cause")) known.cause = ReadCauseName(*cause);
   return known;
 }
 

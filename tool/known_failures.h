@@ -24,7 +24,8 @@ struct KnownFailure {
 /// Reads {"rasterproof_known_failures": 1, "failures": [{"property", "owner", "until":
 /// "2027-01-31", "subject", "cause"}]}; subject and cause may be left out.
 ///
-/// Error:      InputError with the place: an unknown key or property, a missing key, no date.
+/// Error:      InputError with the place: an unknown key, property or cause, a missing key, no
+///             date.
 std::vector<KnownFailure> ReadKnownFailures(const std::string& path);
 
 /// Whether an entry that is not past its day covers every violation of the property, whatever its

@@ -21,7 +21,7 @@
 namespace rasterproof::tool {
 namespace {
 
-constexpr double kPatience = 100;  // what is found may not depend on the clock
+constexpr double kLongestSearch = 800;  // seconds: what is found may not depend on the clock
 
 // A circumstance says that no suspect explains it, and what was seen to make the draws right: where
 // something else was planted it is no cause named wrong.
@@ -68,13 +68,14 @@ CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make
   if (!result.hunt.violation) return found;
   const auto failed = FailedBy(*result.hunt.violation, make()->Info());
   if (!failed) return found;
-  const props::Explanation explanation = props::Explain(make, {&*failed, 1}, kPatience);
+  const props::Explanation explanation = props::Explain(make, {&*failed, 1}, kLongestSearch);
   found.property = failed->property->name;
   if (explanation.causes.empty()) return found;
   const props::Cause& cause = explanation.causes.front();
   found.name = cause.name;
   found.is_circumstance = cause.kind == props::CauseKind::kCircumstance;
   found.what = fmt::format("{}", fmt::join(cause.what, " / "));
+  if (cause.rests_on_few) found.what += fmt::format(" (too few: {})", cause.wrong_scenes);
   if (!cause.only_with.empty())
     found.what += fmt::format(" (only with {})", fmt::join(cause.only_with, ", "));
   return found;

@@ -1,15 +1,16 @@
 #include "props/cause/cause.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "props/cause/suspect.h"
 #include "props/judging/redraw.h"
@@ -19,13 +20,15 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::uint64_t kSplits = 160;  // cases that are looked at to tell suspects apart
+constexpr std::uint64_t kSplits = 320;  // cases that are looked at to tell suspects apart
 constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
 constexpr std::size_t kMostCombined = 4;   // suspects at once
 constexpr std::size_t kMostCompared = 48;  // draws, while the next of them is looked for
 constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
 constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
-constexpr std::chrono::seconds kLongestFit{6};
+constexpr std::size_t kFewestScenes = 4;   // drawn wrong: fewer may be alike by chance
+constexpr double kGatheringShare = 0.25;   // of the time
+constexpr int kMostRaces = 2;              // whose winners draws more may refute
 
 // A suspect that is still in the race.
 struct Fitting {
@@ -39,13 +42,8 @@ struct Fitting {
 
 class Investigation {
  public:
-  Investigation(const MakesSubject& make, std::span<const FailedProperty> failures, double patience)
-      : make_(make),
-        failures_(failures),
-        patience_(patience),
-        end_(std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(patience *
-                                                                             kLongestFit)) {}
+  Investigation(const MakesSubject& make, std::span<const FailedProperty> failures, double seconds)
+      : make_(make), failures_(failures), seconds_(seconds) {}
 
   Explanation Run();
 
@@ -55,36 +53,53 @@ class Investigation {
   bool IsConsistent(Fitting& fitting) const;
   void TellApart(std::vector<Fitting>& left);
   void Split(std::vector<Fitting>& left, const Case& c);
+  std::optional<Case> NextSplit(std::uint64_t number) const;
+  void Observe(Observation observation);
   bool HasWrongDraws(std::size_t failure) const;
   bool FindWhole();
+  bool FindWholeByRaces();
   bool FindCombination();
   void FindParts();
   void FindRest();
   std::vector<bool> ReproducedBy(const SuspectStages& stages) const;
+  std::size_t WrongScenes(const std::vector<bool>& counts) const;
+  std::size_t AllWrongScenes() const { return WrongScenes(std::vector<bool>(wrong_, true)); }
+  // Whether the wrong draws are too few to name a cause by them for sure.
+  bool AreFew() const;
   std::optional<std::size_t> BestWith(const SuspectStages& stages,
-                                      const std::vector<bool>& reproduced) const;
+                                      const std::vector<bool>& reproduced);
   void Share(const std::vector<std::size_t>& combined);
+  void Take(Cause cause);
   Cause Of(CauseKind kind, const std::vector<Fitting>& left) const;
-  bool IsLate() const { return std::chrono::steady_clock::now() > end_; }
+  // Both to be asked only where something is left to be done. Suspects draw in this thread.
+  bool IsLate() { return CutsShort(ThreadSeconds() > end_); }
+  bool IsSlow() { return CutsShort(asked_ > kGatheringShare * seconds_); }
+  bool CutsShort(bool is_over) {
+    if (is_over) found_.is_cut_short = true;
+    return is_over;
+  }
 
   const MakesSubject& make_;
   std::span<const FailedProperty> failures_;
-  double patience_;
-  std::chrono::steady_clock::time_point end_;
+  double seconds_;
+  double end_ = 0;    // of this thread's processor time
+  double asked_ = 0;  // seconds of the clock that the subject took after the gathering
   std::unique_ptr<Subject> subject_;
+  std::unique_ptr<Subject> stated_;
   std::vector<Observation> observations_;  // modelled wrong ones first
   std::size_t wrong_ = 0;
   std::size_t modelled_ = 0;
   std::vector<Suspect> suspects_;
   std::vector<Fitting> partly_;  // consistent ones that reproduce some wrong draws
   std::set<std::size_t> open_;   // failures without a cause
+  std::map<std::size_t, Cause>
+      hints_;  // of failures: what draws alike, by too few scenes to be sure
   Explanation found_;
 };
 
 // Wrong observations first, then modelled right ones, then the others. Equal ones keep their order.
 void Investigation::Sort() {
-  const std::unique_ptr<Subject> stated = MakeSuspect(subject_->Info(), {});
-  for (Observation& o : observations_) o.is_wrong = o.is_modelled && !Reproduces(*stated, o);
+  for (Observation& o : observations_) o.is_wrong = o.is_modelled && !Reproduces(*stated_, o);
   const auto rank = [](const Observation& o) { return o.is_wrong ? 0 : o.is_modelled ? 1 : 2; };
   std::vector<Observation> sorted;
   for (const int wanted : {0, 1, 2}) {
@@ -121,6 +136,8 @@ bool Investigation::IsConsistent(Fitting& fitting) const {
 
 void Investigation::Race() {
   suspects_ = SuspectsOf(subject_->Info().profile);
+  partly_.clear();
+  found_.suspects = 0;
   for (const Suspect& suspect : suspects_) {
     if (IsLate()) return;
     ++found_.suspects;
@@ -134,40 +151,55 @@ void Investigation::Race() {
   }
 }
 
-// Asks the subject where the suspects draw differently.
+// Takes a modelled draw more: it comes after the others of its kind.
+void Investigation::Observe(Observation observation) {
+  observation.is_wrong = !Reproduces(*stated_, observation);
+  const std::size_t place = observation.is_wrong ? wrong_++ : modelled_;
+  ++modelled_;
+  observations_.insert(observations_.begin() + static_cast<std::ptrdiff_t>(place),
+                       std::move(observation));
+}
+
+// Asks the subject where the suspects draw differently; where few draws are wrong, too, where they
+// differ from the stated model: that finds another wrong draw, or refutes them.
 void Investigation::Split(std::vector<Fitting>& left, const Case& c) {
   const auto placed = std::make_shared<const PlacedCase>(Place(c, true));
   Observation o{Observation::kAround, placed};
   o.check.questions.draws = {CountsOf(placed->scene, placed->profile, placed->options)};
-  if (!Takes(subject_->Info(), c.scene) || !WithinLimits(c.scene, c.profile) ||
-      !SuspectsDraw(placed->scene, subject_->Info())) {
-    return;
-  }
+  if (!Takes(subject_->Info(), c.scene) || !IsModelled(o, subject_->Info())) return;
   const Request request{placed.get(), &o.check, nullptr};
   Answers first = std::move(Submit(*left.front().draws, {&request, 1}).front());
   if (first.end.stop != Stop::kNone) return;
   o.seen = first.draws;
-  const bool agree = std::ranges::all_of(
-      left, [&](const Fitting& fitting) { return Reproduces(*fitting.draws, o); });
-  if (agree) return;
+  const auto agrees = [&](const Fitting& fitting) { return Reproduces(*fitting.draws, o); };
+  if (std::ranges::all_of(left, agrees) && (!AreFew() || Reproduces(*stated_, o))) return;
+  const double begun = WallSeconds();
   Answers answers = std::move(Submit(*subject_, {&request, 1}).front());
+  asked_ += WallSeconds() - begun;
   if (answers.end.stop != Stop::kNone) return;
   o.seen = std::move(answers.draws);
-  ++found_.draws;
   std::vector<bool> stays;
-  for (const Fitting& fitting : left) stays.push_back(Reproduces(*fitting.draws, o));
+  for (const Fitting& fitting : left) stays.push_back(agrees(fitting));
   std::size_t k = 0;
   std::erase_if(left, [&](const Fitting&) { return !stays[k++]; });
+  Observe(std::move(o));
+}
+
+// By turns of the model's domains and of a failed property's; nothing if none suits the subject.
+std::optional<Case> Investigation::NextSplit(std::uint64_t number) const {
+  const Property* property = FindProperty("CoverageEqualsTheModel");
+  if (number % 2 == 1) property = failures_[number / 2 % failures_.size()].property;
+  try {
+    return DrawCase(subject_->Info(), *property, 1, kFirstSplit + number / 2);
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
 }
 
 void Investigation::TellApart(std::vector<Fitting>& left) {
-  const Property& any = *FindProperty("CoverageEqualsTheModel");
-  for (std::uint64_t k = 0; k < kSplits && left.size() > 1 && !IsLate(); ++k) {
-    try {
-      Split(left, DrawCase(subject_->Info(), any, 1, kFirstSplit + k));
-    } catch (const InputError&) {  // none of its domains suits the subject
-      return;
-    }
+  for (std::uint64_t k = 0; k < kSplits; ++k) {
+    if (left.empty() || (left.size() == 1 && !AreFew()) || IsLate() || IsSlow()) return;
+    if (const std::optional<Case> c = NextSplit(k)) Split(left, *c);
   }
 }
 
@@ -181,8 +213,21 @@ Cause Investigation::Of(CauseKind kind, const std::vector<Fitting>& left) const 
   }
   cause.draws = DrawsOf(std::span(observations_).first(modelled_));
   cause.reproduced = cause.draws;
+  // Those that no draw tells apart explain the same scenes.
+  const std::vector<bool> reproduced = ReproducedBy(left.front().stages);
+  cause.wrong_scenes = WrongScenes(reproduced);
+  cause.rests_on_few = AreFewScenes(kind, cause.wrong_scenes, AllWrongScenes());
   cause.only_with = OnlyWith(observations_);
   return cause;
+}
+
+// The different scenes among the wrong draws that count.
+std::size_t Investigation::WrongScenes(const std::vector<bool>& counts) const {
+  std::vector<const Observation*> wrong;
+  for (std::size_t k = 0; k < wrong_; ++k) {
+    if (counts[k]) wrong.push_back(&observations_[k]);
+  }
+  return ScenesOf(wrong);
 }
 
 // Whether the property's own draws differ from the stated model. Of those that were not asked it
@@ -206,15 +251,30 @@ bool Investigation::FindWhole() {
   });
   if (whole.empty()) return false;
   TellApart(whole);
-  if (whole.empty()) return false;  // a draw more refuted all of them
+  if (whole.empty()) return false;  // draws more refuted all of them
   Cause cause = Of(CauseKind::kModel, whole);
   for (std::size_t k = 0; k < failures_.size(); ++k) {
     if (HasWrongDraws(k)) cause.properties.push_back(k);
   }
-  if (cause.properties.empty()) return true;
-  for (const std::size_t k : cause.properties) open_.erase(k);
-  found_.causes.push_back(std::move(cause));
+  if (!cause.properties.empty()) Take(std::move(cause));
   return true;
+}
+
+bool Investigation::AreFew() const {
+  std::vector<const Observation*> wrong;
+  for (std::size_t k = 0; k < wrong_; ++k) wrong.push_back(&observations_[k]);
+  return ScenesOf(wrong, kFewestScenes) < kFewestScenes;
+}
+
+// A draw more that refutes what was left belongs to the evidence: other suspects may fit it.
+bool Investigation::FindWholeByRaces() {
+  for (int race = 0;; ++race) {
+    Race();
+    const std::size_t seen = observations_.size();
+    if (race == kMostRaces) return false;
+    if (FindWhole()) return true;
+    if (observations_.size() == seen) return false;
+  }
 }
 
 // Which of the modelled observations a rasterizer of these stages reproduces.
@@ -228,7 +288,7 @@ std::vector<bool> Investigation::ReproducedBy(const SuspectStages& stages) const
 
 // The suspect that, beside the stages so far, reproduces most draws more than it loses.
 std::optional<std::size_t> Investigation::BestWith(const SuspectStages& stages,
-                                                   const std::vector<bool>& reproduced) const {
+                                                   const std::vector<bool>& reproduced) {
   std::vector<std::size_t> open, kept;
   for (std::size_t k = 0; k < modelled_; ++k) (reproduced[k] ? kept : open).push_back(k);
   open.resize(std::min(open.size(), kMostCompared));
@@ -272,25 +332,41 @@ bool Investigation::FindCombination() {
 // Gives each property to the first of the suspects without which its failing draws are others.
 void Investigation::Share(const std::vector<std::size_t>& combined) {
   std::vector<Cause> causes;
+  std::set<std::size_t> unshared = open_;
   for (const std::size_t n : combined) {
     Cause& cause = causes.emplace_back();
-    cause.kind = CauseKind::kPart;
+    cause.kind = combined.size() == 1 ? CauseKind::kModel : CauseKind::kPart;
     cause.name = suspects_[n].cause;
     cause.what = {suspects_[n].what};
     cause.draws = DrawsOf(std::span(observations_).first(modelled_));
     cause.reproduced = cause.draws;
-    cause.together = combined.size();
+    cause.together = combined.size() == 1 ? 0 : combined.size();
     SuspectStages others;
     for (const std::size_t other : combined) {
       if (other != n) others = *Composed(others, suspects_[other].stages);
     }
-    const std::vector<bool> without = ReproducedBy(others);
+    std::vector<bool> without = ReproducedBy(others);
     for (std::size_t k = 0; k < wrong_; ++k) {
       const std::size_t failure = observations_[k].failure;
-      if (!without[k] && open_.erase(failure) != 0) cause.properties.push_back(failure);
+      if (!without[k] && unshared.erase(failure) != 0) cause.properties.push_back(failure);
+    }
+    without.flip();
+    cause.wrong_scenes = WrongScenes(without);
+    cause.rests_on_few = AreFewScenes(CauseKind::kModel, cause.wrong_scenes, cause.wrong_scenes);
+  }
+  for (Cause& cause : causes) Take(std::move(cause));
+}
+
+// Names the cause of its properties, or, if it rests on too few scenes, keeps it as a hint.
+void Investigation::Take(Cause cause) {
+  for (const std::size_t k : cause.properties) {
+    if (cause.rests_on_few) {
+      hints_.try_emplace(k, cause);
+    } else {
+      open_.erase(k);
     }
   }
-  for (Cause& cause : causes) found_.causes.push_back(std::move(cause));
+  if (!cause.rests_on_few) found_.causes.push_back(std::move(cause));
 }
 
 // Greedily: the suspect that reproduces all failing draws of most properties first.
@@ -314,9 +390,9 @@ void Investigation::FindParts() {
     cause.draws = wrong_;
     cause.reproduced = equal.front().reproduced;
     for (const std::size_t k : equal.front().covered) {
-      if (open_.erase(k) != 0) cause.properties.push_back(k);
+      if (open_.contains(k)) cause.properties.push_back(k);
     }
-    found_.causes.push_back(std::move(cause));
+    Take(std::move(cause));
   }
 }
 
@@ -335,8 +411,14 @@ void Investigation::FindRest() {
       Circumstance circumstance = FindCircumstance(make_, wrong);
       cause.kind = circumstance.name.empty() ? CauseKind::kUnexplained : CauseKind::kCircumstance;
       cause.name = circumstance.name;
-      if (!cause.name.empty()) cause.what = {circumstance.what};
-      cause.only_with = OnlyWith(observations_);
+      if (!cause.name.empty()) {
+        cause.what = {circumstance.what};
+      } else if (const auto hint = hints_.find(k); hint != hints_.end()) {
+        cause.what = hint->second.what;
+        cause.wrong_scenes = hint->second.wrong_scenes;
+        cause.rests_on_few = true;
+      }
+      if (!cause.rests_on_few) cause.only_with = OnlyWith(observations_);
     } else if (failures_[k].property->gate.shows == Shows::kFloatModes) {
       // It compares draws in other modes with those in the usual one.
       cause.kind = CauseKind::kCircumstance;
@@ -360,17 +442,19 @@ void Investigation::FindRest() {
 
 Explanation Investigation::Run() {
   subject_ = make_();
-  observations_ = Gather(*subject_, failures_, patience_);
+  Gathered gathered = Gather(*subject_, failures_, kGatheringShare * seconds_);
+  observations_ = std::move(gathered.observations);
+  found_.is_cut_short = gathered.is_cut_short;
+  end_ = ThreadSeconds() + (1 - kGatheringShare) * seconds_;
+  stated_ = MakeSuspect(subject_->Info(), {});
   Sort();
-  found_.draws = DrawsOf(observations_);
-  found_.wrong = DrawsOf(std::span(observations_).first(wrong_));
   for (std::size_t k = 0; k < failures_.size(); ++k) open_.insert(k);
   const bool are_points = subject_->Info().profile.contract != Contract::kSquares;
   if (wrong_ != 0 && are_points) {
-    Race();
-    if (!FindWhole() && !FindCombination()) FindParts();
-    found_.is_cut_short = IsLate();
+    if (!FindWholeByRaces() && !FindCombination()) FindParts();
   }
+  found_.draws = DrawsOf(observations_);
+  found_.wrong = DrawsOf(std::span(observations_).first(wrong_));
   FindRest();
   // clang calls what std::stable_sort uses deprecated.
   std::vector<std::pair<std::pair<bool, std::size_t>, std::size_t>> order;
@@ -387,10 +471,14 @@ Explanation Investigation::Run() {
 
 }  // namespace
 
+bool AreFewScenes(CauseKind kind, std::size_t explained, std::size_t wrong) {
+  return explained < kFewestScenes && (kind == CauseKind::kModel || 2 * explained < wrong);
+}
+
 Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
-                    double patience) {
+                    double seconds) {
   if (failures.empty()) return {};
-  return Investigation(make, failures, patience).Run();
+  return Investigation(make, failures, seconds).Run();
 }
 
 }  // namespace rasterproof::props

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/subject.h"
@@ -20,7 +21,7 @@ enum class CauseKind : std::uint8_t {
   kPart,          ///< one reproduces the failing draws of its properties, and no draw refutes it
   kCircumstance,  ///< the failing draws are right once one thing about them is changed
   kShownValues,   ///< every draw is as stated: what fails is in the values that are shown
-  kUnexplained    ///< no suspect
+  kUnexplained    ///< no suspect, or too few draws to name one
 };
 
 /// One cause, with the violated properties that it explains.
@@ -32,18 +33,34 @@ struct Cause {
   std::size_t reproduced = 0;           ///< draws of `draws` that it reproduces
   std::size_t draws = 0;
   std::size_t together = 0;  ///< if not 0, so many suspects at once reproduce them
+  /// The different scenes, drawn otherwise than the stated model, that a suspect was named by.
+  std::size_t wrong_scenes = 0;
+  /// Of kUnexplained: `what` are suspects that draw these scenes alike, but the scenes are so few
+  /// that others may do so by chance.
+  bool rests_on_few = false;
   /// What all draws have that differ from the stated model, and hardly others: "x < 0".
   std::vector<std::string> only_with = {};
 };
+
+/// Whether a suspect reproduces so few scenes that it is not named: fewer than four, and, if it is
+/// one of a part, fewer than half of the scenes drawn wrong.
+bool AreFewScenes(CauseKind kind, std::size_t explained, std::size_t wrong);
 
 /// Causes of violations, those with a name first, and of these the one of most properties.
 struct Explanation {
   std::vector<Cause> causes;
   std::size_t suspects = 0;   ///< that were compared with the draws
-  bool is_cut_short = false;  ///< time was up before all of them were
+  bool is_cut_short = false;  ///< time was up before all was drawn and compared
   std::size_t draws = 0;      ///< of the subject
   std::size_t wrong = 0;      ///< of these, draws that differ from the stated model
 };
+
+/// What `check` takes, in seconds: a quarter of it, by the clock, to gather draws, and the rest, of
+/// processor time, to compare suspects with them, so that a busy machine finds the same.
+inline constexpr double kCauseSeconds = 8;
+
+/// The names that a cause may have: the sections of docs/causes.md, "none" among them.
+std::vector<std::string_view> CauseNames();
 
 using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 
@@ -57,10 +74,11 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 /// Domain:     properties that subjects of `make` violate; each call makes another of them, which
 ///             has drawn nothing.
 /// Returns:    each failed property in one cause.
-/// Cost:       a few hundred draws of the subject. Gathering them ends after 2 s of the clock and
-///             the comparison after 6 s, both times `patience`: is_cut_short says so.
+/// Cost:       a few hundred draws of the subject, and at most `seconds`, shared out as those of
+///             kCauseSeconds: is_cut_short says if they were not enough. A circumstance takes as
+///             long as the subject takes for some dozens of draws more.
 Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
-                    double patience = 1);
+                    double seconds = kCauseSeconds);
 
 /// What was changed about a wrong draw that made it right.
 struct Circumstance {

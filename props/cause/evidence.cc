@@ -1,12 +1,12 @@
 #include "props/cause/evidence.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
 
+#include "core/clock.h"
 #include "core/error.h"
 #include "model/snap_scene.h"
 #include "props/cause/suspect.h"
@@ -19,8 +19,6 @@
 namespace rasterproof::props {
 namespace {
 
-using CauseClock = std::chrono::steady_clock;
-constexpr std::chrono::seconds kLongestGathering{2};
 constexpr std::size_t kMostAsked = 12;      // properties whose own checks are asked
 constexpr std::uint64_t kCasesOfEach = 24;  // of the failed property's own campaign
 constexpr std::uint64_t kCasesAround = 160;
@@ -32,13 +30,13 @@ constexpr std::uint64_t kFirstAround = std::uint64_t{1} << 20;
 // What is asked about a case, and put to the subject check by check.
 class Gathering {
  public:
-  Gathering(Subject& subject, std::vector<Observation>& found, double patience)
-      : subject_(subject),
-        found_(found),
-        end_(CauseClock::now() +
-             std::chrono::duration_cast<CauseClock::duration>(patience * kLongestGathering)) {}
+  Gathering(Subject& subject, Gathered& found, double seconds)
+      : subject_(subject), found_(found), end_(WallSeconds() + seconds) {}
 
-  bool IsOver() const { return broke_down_ || CauseClock::now() > end_; }
+  bool IsOver() {
+    if (!broke_down_ && WallSeconds() > end_) found_.is_cut_short = true;
+    return broke_down_ || found_.is_cut_short;
+  }
   void AskAll(std::size_t failure, const Property& property, const Case& c);
   void AskOnce(std::size_t failure, const Case& c);
 
@@ -46,8 +44,8 @@ class Gathering {
   bool Put(Observation observation);
 
   Subject& subject_;
-  std::vector<Observation>& found_;
-  CauseClock::time_point end_;
+  Gathered& found_;
+  double end_;
   bool broke_down_ = false;
 };
 
@@ -65,11 +63,15 @@ bool IsOpen(const PlacedCase& c) {
   });
 }
 
-bool AreModelled(const Observation& o, const SubjectInfo& info) {
+}  // namespace
+
+bool IsModelled(const Observation& o, const SubjectInfo& info) {
   return !IsOpen(*o.placed) && std::ranges::all_of(o.check.questions.draws, [&](const auto& q) {
     return q.job.options.float_mode == FloatMode::kUsual && SuspectsDraw(*q.job.scene, info);
   });
 }
+
+namespace {
 
 // Returns whether the subject can be asked on.
 bool Gathering::Put(Observation observation) {
@@ -77,9 +79,9 @@ bool Gathering::Put(Observation observation) {
   Answers answers = std::move(Submit(subject_, {&request, 1}).front());
   if (EndsTheCall(answers.end.stop)) broke_down_ = true;
   if (answers.end.stop != Stop::kNone) return false;
-  observation.is_modelled = AreModelled(observation, subject_.Info());
+  observation.is_modelled = IsModelled(observation, subject_.Info());
   observation.seen = std::move(answers.draws);
-  found_.push_back(std::move(observation));
+  found_.observations.push_back(std::move(observation));
   return true;
 }
 
@@ -94,7 +96,7 @@ void Gathering::AskAll(std::size_t failure, const Property& property, const Case
     observation.check.questions.company = check.questions.company;
     observation.check.questions.draws = check.questions.draws;
     if (!Put(std::move(observation))) return;
-    const auto& seen = found_.back().seen;
+    const auto& seen = found_.observations.back().seen;
     drawn.insert(drawn.end(), seen.begin(), seen.end());
   }
 }
@@ -177,10 +179,9 @@ bool SameDrawing(const Drawing& a, const Drawing& b) {
 
 }  // namespace
 
-std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures,
-                                double patience) {
-  std::vector<Observation> found;
-  Gathering gathering(subject, found, patience);
+Gathered Gather(Subject& subject, std::span<const FailedProperty> failures, double seconds) {
+  Gathered found;
+  Gathering gathering(subject, found, seconds);
   const std::size_t asked = std::min(failures.size(), kMostAsked);
   for (std::size_t k = 0; k < asked; ++k) {
     for (const Case& c : failures[k].cases) gathering.AskAll(k, *failures[k].property, c);
@@ -228,6 +229,33 @@ std::size_t DrawsOf(std::span<const Observation> observations) {
   std::size_t draws = 0;
   for (const Observation& o : observations) draws += o.seen.size();
   return draws;
+}
+
+namespace {
+
+// Whether both draw the same, NaN for NaN.
+bool IsSameScene(const DrawJob& a, const DrawJob& b) {
+  const auto same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+  return a.options == b.options && a.scene->width == b.scene->width &&
+         a.scene->height == b.scene->height && std::ranges::equal(a.Triangles(), b.Triangles()) &&
+         std::ranges::equal(
+             a.scene->vertices, b.scene->vertices, [&](const Vertex& v, const Vertex& w) {
+               return same(v.x, w.x) && same(v.y, w.y) && same(v.z, w.z) && same(v.w, w.w);
+             });
+}
+
+}  // namespace
+
+std::size_t ScenesOf(std::span<const Observation* const> observations, std::size_t most) {
+  std::vector<const DrawJob*> scenes;
+  for (const Observation* o : observations) {
+    const DrawJob& job = o->check.questions.draws.front().job;
+    const bool is_new = std::ranges::none_of(
+        scenes, [&](const DrawJob* other) { return IsSameScene(*other, job); });
+    if (is_new) scenes.push_back(&job);
+    if (scenes.size() >= most) break;
+  }
+  return scenes.size();
 }
 
 }  // namespace rasterproof::props

@@ -36,13 +36,22 @@ struct Observation {
   bool is_wrong = false;    ///< seen otherwise than the stated model draws it
 };
 
+/// What was gathered.
+struct Gathered {
+  std::vector<Observation> observations;
+  bool is_cut_short = false;  ///< time was up before all was asked
+};
+
 /// Gathers what the subject draws: of each failed property's cases all checks, of a case around
 /// them one draw. The failing cases come first.
 ///
 /// Domain:     failed properties of the subject.
-/// Returns:    fewer observations if the subject breaks down, or after 2 s times `patience`.
-std::vector<Observation> Gather(Subject& subject, std::span<const FailedProperty> failures,
-                                double patience);
+/// Returns:    fewer observations if the subject breaks down, or after so many seconds of the
+///             clock: the time is the subject's.
+Gathered Gather(Subject& subject, std::span<const FailedProperty> failures, double seconds);
+
+/// Whether suspects can draw all that the observation asks, and the profile leaves none of it open.
+bool IsModelled(const Observation& observation, const SubjectInfo& info);
 
 /// Puts the observation's questions to another subject.
 ///
@@ -55,6 +64,11 @@ bool AsksForValues(Subject& subject, const FailedProperty& failure);
 
 /// The number of draws in some observations.
 std::size_t DrawsOf(std::span<const Observation> observations);
+
+/// The number of scenes that the observations begin with, each counted once, however often it is
+/// drawn under the same options. Counting stops at `most`.
+std::size_t ScenesOf(std::span<const Observation* const> observations,
+                     std::size_t most = ~std::size_t{0});
 
 }  // namespace rasterproof::props
 

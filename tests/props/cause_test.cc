@@ -26,7 +26,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr double kPatience = 100;  // what is found may not depend on the clock
+constexpr double kLongest = 800;  // seconds: what is found may not depend on the clock
 
 const Property& Model() { return *FindProperty("CoverageEqualsTheModel"); }
 
@@ -49,7 +49,7 @@ Cause CauseOf(std::string_view mutant, std::string_view property = "CoverageEqua
   const MakesSubject make = MutantMaker(mutant);
   const FailedProperty failure = FailureOf(make, *FindProperty(property));
   if (failure.property == nullptr) return {};
-  const Explanation found = Explain(make, std::span(&failure, 1), kPatience);
+  const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
   EXPECT_EQ(found.causes.size(), 1U);
   return found.causes.empty() ? Cause() : found.causes.front();
 }
@@ -161,7 +161,7 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
   cut.options.scissor = PixelRect{0, 0, 2, 2};
   const std::vector<FailedProperty> failures{
       {&Model(), {small}}, {&Model(), {tie}}, {&Model(), {cut}}};
-  const Explanation found = Explain(ThreeBugs, failures, kPatience);
+  const Explanation found = Explain(ThreeBugs, failures, kLongest);
   std::vector<std::string> names;
   for (const Cause& cause : found.causes) {
     names.push_back(cause.name);
@@ -185,7 +185,7 @@ TEST(OnlyWith, NamesWhatTheWrongDrawsShare) {
   const MakesSubject make = MutantMaker("mutant:overflow-unsigned");
   const FailedProperty failure = FailureOf(make, Model());
   ASSERT_NE(failure.property, nullptr);
-  const Explanation found = Explain(make, std::span(&failure, 1), kPatience);
+  const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
   ASSERT_EQ(found.causes.size(), 1U);
   EXPECT_EQ(found.causes.front().name, "overflow");
 }

@@ -1,10 +1,12 @@
 """The lines that say what explains violations: of one fault, of several, and where nobody asks.
 
 usage: causes_test.py PROGRAM SOURCES"""
+import json
 import os
 import re
 import subprocess
 import sys
+import tempfile
 import unittest
 
 PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
@@ -64,10 +66,49 @@ class Causes(unittest.TestCase):
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertNotIn("cause", done.stdout)
 
+    def test_the_time_is_given_in_seconds_and_too_little_is_told(self):
+        about = ("mutant:snap-truncates", "--property", MODEL, "--cause-seconds")
+        done = check(*about, "0.001")
+        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+        self.assertIn("the search for causes was cut short", done.stdout)
+        self.assertIn("--cause-seconds gives it more time", done.stdout)
+        for bad in ("0", "-1", "nan", "inf", "soon"):
+            done = check(*about[:-1], f"--cause-seconds={bad}")
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertEqual(done.stdout, "")
+            self.assertIn(f"--cause-seconds {bad}: it is no time", done.stderr)
+        done = check(*about, "9", "--no-cause")
+        self.assertEqual(done.returncode, 2, done.stdout)
+
+    def test_the_number_of_wrong_scenes_is_told_to_programs(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "found.json")
+            done = check("mutant:snap-truncates", "--property", MODEL, "--json", path)
+            self.assertNotIn("too few", done.stdout)
+            with open(path, encoding="utf-8") as file:
+                cause = json.load(file)["subjects"][0]["causes"][0]
+        self.assertGreaterEqual(cause["wrong_scenes"], 4)
+        self.assertIs(cause["too_few"], False)
+
+    def names(self):
+        """What a list of known failures may name, as the error about another name has them."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "known.json")
+            with open(path, "w", encoding="utf-8") as file:
+                json.dump({"rasterproof_known_failures": 1,
+                           "failures": [{"property": MODEL, "owner": "Ada", "until": "9999-12-31",
+                                         "cause": "?"}]}, file)  # fmt: skip
+            done = check("spans-exact", "--property", MODEL, "--known", path)
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn("failures[0].cause", done.stderr)
+        return re.findall(r"[a-z-]+", done.stderr.split("docs/causes.md has")[1])
+
     def test_each_cause_has_its_section(self):
         with open(os.path.join(SOURCES, "docs/causes.md"), encoding="utf-8") as document:
             titles = re.findall(r"^## (.*)$", document.read(), re.MULTILINE)
-        sections = {title.lower().replace(" ", "-") for title in titles}
+        sections = [title.lower().replace(" ", "-") for title in titles]
+        self.assertEqual(sections.pop(), "what-was-measured")
+        self.assertEqual(self.names(), sections)
         names = set()
         for folder in ("props/cause", "tool"):
             for name in sorted(os.listdir(os.path.join(SOURCES, folder))):
@@ -81,7 +122,7 @@ class Causes(unittest.TestCase):
                     for row in re.findall(r'\{"[^"]+", "([a-z|-]+)"\}', text):
                         names |= set(row.split("|"))
         self.assertGreater(len(names), 25)
-        self.assertEqual(names - sections, set())
+        self.assertEqual(names - set(sections), set())
 
 
 if __name__ == "__main__":

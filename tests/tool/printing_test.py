@@ -184,6 +184,8 @@ class Known(unittest.TestCase):
             ({**good, "until": "soon"}, r"failures\[0\].until: .*is no date"),
             ({**good, "property": "Nonesuch"}, r"failures\[0\].property: .*is no property"),
             ({**good, "owner": ""}, r"failures\[0\].owner: "),
+            ({**good, "cause": "tie-rules"},
+             r"failures\[0\].cause: .tie-rules. is no cause; did you mean tie-rule\? "),
             ({**good, "why": "?"}, r"failures\[0\]"),
             ({"property": MODEL}, r"failures\[0\]"),
         ):

@@ -2,7 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -21,6 +24,8 @@ constexpr Side kRectangleSides[] = {{&PixelRect::x0, 1, "left"},
                                     {&PixelRect::y0, 1, "top"},
                                     {&PixelRect::x1, -1, "right"},
                                     {&PixelRect::y1, -1, "bottom"}};
+
+constexpr double kEverywhere = std::numeric_limits<double>::infinity();
 
 void AddBoxes(std::vector<Suspect>& list) {
   for (const Side& side : kRectangleSides) {
@@ -43,23 +48,88 @@ void AddBoxes(std::vector<Suspect>& list) {
                   {.box = [](PixelRect& box, const SuspectTriangle&, const Scene&) {
                     if (box.y1 - box.y0 == 1) box.y1 = box.y0;
                   }}});
-  // From the pixel of the least coordinate to that of the largest, one end left out.
-  list.push_back({"bounding-box",
-                  "leaves out the pixels that hold the largest x and y",
-                  {.box = [](PixelRect& box, const SuspectTriangle& t, const Scene&) {
-                    box.x1 = std::min(box.x1, ToPixel(std::ranges::max(t.v, {}, &Point2::x).x));
-                    box.y1 = std::min(box.y1, ToPixel(std::ranges::max(t.v, {}, &Point2::y).y));
-                  }}});
-  for (const bool y : {false, true}) {
-    list.push_back({"bounding-box",
-                    std::string("takes only pixels whose centre lies strictly within the box in ") +
-                        (y ? "y" : "x"),
-                    {.box = [y](PixelRect& box, const SuspectTriangle& t, const Scene&) {
-                      const auto axis = y ? &Point2::y : &Point2::x;
-                      const auto [least, most] = std::ranges::minmax(t.v, {}, axis);
-                      (y ? box.y0 : box.x0) = ToPixel(std::floor(least.*axis + 0.5));
-                      (y ? box.y1 : box.x1) = ToPixel(std::ceil(most.*axis - 0.5));
-                    }}});
+}
+
+// Where a loop over the pixels of a triangle's box begins, by the least coordinate.
+struct LoopBegin {
+  std::string_view words;  ///< "{}" is the axis; "": where it should
+  double (*of)(double least);
+};
+constexpr LoopBegin kLoopBegins[] = {
+    {"", [](double) { return -kEverywhere; }},
+    {"at ceil of the least {}", [](double least) { return std::ceil(least); }},
+};
+// Where it ends, by the largest coordinate and the target's size: that pixel is left out.
+struct LoopEnd {
+  std::string_view words;
+  double (*of)(double most, double size);
+};
+constexpr LoopEnd kLoopEnds[] = {
+    {"", [](double, double) { return kEverywhere; }},
+    {"before floor of the largest {}", [](double most, double) { return std::floor(most); }},
+    {"before ceil of the largest {} less 1",
+     [](double most, double) { return std::ceil(most) - 1; }},
+    {"before floor of the largest {}, cut to the target's last pixel",
+     [](double most, double size) { return std::min(std::floor(most), size - 1); }},
+    {"before ceil of the largest {} less 1, cut to the target's last pixel",
+     [](double most, double size) { return std::min(std::ceil(most), size) - 1; }},
+};
+
+struct BoxLoop {
+  bool along_x, along_y;
+  bool y_up;  ///< its rows are counted from the bottom
+  double (*begin)(double least);
+  double (*end)(double most, double size);
+
+  void operator()(PixelRect& box, const SuspectTriangle& t, const Scene& scene) const {
+    if (along_x) {
+      const auto [left, right] = std::ranges::minmax(t.v, {}, &Point2::x);
+      box.x0 = std::max(box.x0, ToPixel(begin(left.x)));
+      box.x1 = std::min(box.x1, ToPixel(end(right.x, scene.width)));
+    }
+    if (along_y) {
+      const auto [top, bottom] = std::ranges::minmax(t.v, {}, &Point2::y);
+      int first = ToPixel(begin(y_up ? -bottom.y : top.y));
+      int last = ToPixel(end(y_up ? -top.y : bottom.y, scene.height));
+      if (y_up) std::tie(first, last) = std::pair(scene.height - last, scene.height - first);
+      box.y0 = std::max(box.y0, first);
+      box.y1 = std::min(box.y1, last);
+    }
+  }
+};
+
+std::string BoxWords(const LoopBegin& begin, const LoopEnd& end, std::string_view axis) {
+  const auto named = [axis](std::string_view words) {
+    std::string text(words);
+    return text.replace(text.find("{}"), 2, axis);
+  };
+  if (end.words.empty()) return "begins a triangle's box " + named(begin.words);
+  if (begin.words.empty()) return "ends a triangle's box " + named(end.words);
+  return "begins a triangle's box " + named(begin.words) + " and ends it " + named(end.words);
+}
+
+// Loops as usual code has them, for (x = floor(least); x < floor(largest); ++x), in x alone, in y
+// alone and in both.
+void AddBoxLoops(const Profile& profile, std::vector<Suspect>& list) {
+  const bool y_up = profile.y_axis == YAxis::kUp;
+  for (const auto& [x, y, axis] : {std::tuple(true, true, "x and y"), std::tuple(true, false, "x"),
+                                   std::tuple(false, true, "y")}) {
+    const auto add = [&, along_x = x, along_y = y](const std::string& what, auto begin, auto end) {
+      list.push_back({"bounding-box", what, {.box = BoxLoop{along_x, along_y, y_up, begin, end}}});
+    };
+    for (const LoopBegin& begin : kLoopBegins) {
+      for (const LoopEnd& end : kLoopEnds) {
+        if (!begin.words.empty() || !end.words.empty())
+          add(BoxWords(begin, end, axis), begin.of, end.of);
+      }
+    }
+    // Right where the samples are centres and none lies on the triangle's far side.
+    add(std::string("ends a triangle's box before ceil of the largest ") + axis, kLoopBegins[0].of,
+        [](double most, double) { return std::ceil(most); });
+    add(
+        std::string("takes only pixels whose centre lies strictly within the box in ") + axis,
+        [](double least) { return std::floor(least + 0.5); },
+        [](double most, double) { return std::ceil(most - 0.5); });
   }
 }
 
@@ -177,8 +247,9 @@ void AddCounting(std::vector<Suspect>& list) {
 
 }  // namespace
 
-void AddTraversal(const Profile&, std::vector<Suspect>& list) {
+void AddTraversal(const Profile& profile, std::vector<Suspect>& list) {
   AddBoxes(list);
+  AddBoxLoops(profile, list);
   AddTargets(list);
   AddTiles(list);
   AddScissors(list);

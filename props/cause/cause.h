@@ -74,7 +74,7 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 /// Domain:     properties that subjects of `make` violate; each call makes another of them, which
 ///             has drawn nothing.
 /// Returns:    each failed property in one cause.
-/// Cost:       a few hundred draws of the subject, and at most `seconds`, shared out as those of
+/// Cost:       some hundreds of draws of the subject, and at most `seconds`, shared out as those of
 ///             kCauseSeconds: is_cut_short says if they were not enough. A circumstance takes as
 ///             long as the subject takes for some dozens of draws more.
 Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,

@@ -56,7 +56,7 @@ struct Explanation {
 };
 
 /// What `check` takes, in seconds: a quarter of it, by the clock, to gather draws, and the rest, of
-/// processor time, to compare suspects with them, so that a busy machine finds the same.
+/// processor time, to compare suspects with them: a busy machine takes less of that away.
 inline constexpr double kCauseSeconds = 8;
 
 /// The names that a cause may have: the sections of docs/causes.md, "none" among them.

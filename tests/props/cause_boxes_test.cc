@@ -78,7 +78,7 @@ struct WrongBox {
   std::string_view what;
 };
 
-class BoxCause : public testing::TestWithParam<WrongBox> {};
+class BoxCause : public ::testing::TestWithParam<WrongBox> {};
 
 TEST_P(BoxCause, IsNamedByItsEndAndItsAxis) {
   const WrongBox& wrong = GetParam();
@@ -94,7 +94,7 @@ TEST_P(BoxCause, IsNamedByItsEndAndItsAxis) {
 
 INSTANTIATE_TEST_SUITE_P(
     Cause, BoxCause,
-    testing::Values(
+    ::testing::Values(
         WrongBox{EndsEarly, Sound, YAxis::kDown,
                  "ends a triangle's box before floor of the largest x"},
         WrongBox{SoundToCeil, EndsEarly, YAxis::kDown,

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <regex>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/call_end.h"
@@ -274,12 +276,23 @@ struct FacingsText {
   std::string rest;  // "; exact E of edges ..."
 };
 
+// Takes the word and the count after it off the text; nothing if it begins otherwise.
+std::optional<std::uint32_t> TakeCount(std::string_view word, std::string_view& text) {
+  if (!text.starts_with(word)) return std::nullopt;
+  text.remove_prefix(word.size());
+  std::uint32_t count = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+  if (error != std::errc()) return std::nullopt;
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  return count;
+}
+
 // Reads "front 1, back 0" and what may follow after a semicolon; nothing of any other text.
-std::optional<FacingsText> ReadFacings(const std::string& text) {
-  static const std::regex counts("front ([0-9]{1,18}), back ([0-9]{1,18})(;.*)?");
-  std::smatch found;
-  if (!std::regex_match(text, found, counts)) return std::nullopt;
-  return FacingsText{std::stoull(found[1]) + std::stoull(found[2]), found[3]};
+std::optional<FacingsText> ReadFacings(std::string_view text) {
+  const std::optional<std::uint32_t> front = TakeCount("front ", text);
+  const std::optional<std::uint32_t> back = front ? TakeCount(", back ", text) : std::nullopt;
+  if (!back || !(text.empty() || text.starts_with(';'))) return std::nullopt;
+  return FacingsText{std::uint64_t{*front} + *back, std::string(text)};
 }
 
 }  // namespace

@@ -47,14 +47,14 @@ TEST(Asking, ForNewCoverageNeedsAMoveThatChangesIt) {
 
 // ---- judging without a subject ------------------------------------------------------------------
 
-struct Judged {
+struct AnswersJudged {
   std::size_t asked = 0;
   Verdict as_answered;
   Verdict one_sign_turned;
 };
 
 // The property about signs, judged by the values of a method and by the same with one sign turned.
-Judged SignsOf(const std::string& method) {
+AnswersJudged SignsOf(const std::string& method) {
   const std::unique_ptr<Subject> subject = subjects::MakeBuiltin(method);
   const Description description{subject->Info(), subject->Edges(), nullptr};
   const PlacedCase c(OneTriangle());
@@ -64,7 +64,7 @@ Judged SignsOf(const std::string& method) {
   for (const EdgeQuestion& q : check.questions.edges) {
     answers.edges.push_back(subject->Edges()->Value(q.a, q.b, q.p));
   }
-  Judged judged{answers.edges.size(), check.judge(answers), {}};
+  AnswersJudged judged{answers.edges.size(), check.judge(answers), {}};
   for (double& value : answers.edges) {
     if (value <= 1) continue;
     value = -value;
@@ -75,7 +75,7 @@ Judged SignsOf(const std::string& method) {
 }
 
 TEST(AJudgement, NeedsAnswersAndNoSubject) {
-  const Judged judged = SignsOf("f32-direct");
+  const AnswersJudged judged = SignsOf("f32-direct");
   EXPECT_GT(judged.asked, 10U);
   EXPECT_EQ(judged.as_answered.outcome, Outcome::kHolds) << judged.as_answered.message;
   EXPECT_EQ(judged.one_sign_turned.outcome, Outcome::kViolated);

@@ -21,10 +21,13 @@
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tests/fake_subject.h"
+#include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
+
+using testing::DrawRight;
 
 constexpr std::uint64_t kSeed = 1;
 
@@ -221,10 +224,6 @@ Case TwoTriangles() {
   c.scene.triangles = {{0, 2, 1}, {0, 3, 2}};
   c.profile = *PresetProfile("real");
   return c;
-}
-
-void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  counts += exact::Coverage(scene, Profile{}, options);
 }
 
 // Of a subject that draws by `draw` and shows exact edge values and barycentrics.

@@ -28,7 +28,7 @@ namespace {
 
 constexpr double kLongest = 800;  // seconds: what is found may not depend on the clock
 
-const Property& Model() { return *FindProperty("CoverageEqualsTheModel"); }
+const Property& EqualsTheModel() { return *FindProperty("CoverageEqualsTheModel"); }
 
 // The violation of a property that a short campaign finds.
 FailedProperty FailureOf(const MakesSubject& make, const Property& property) {
@@ -63,7 +63,7 @@ TEST(Suspect, WithoutAChangeDrawsTheModel) {
     const std::unique_ptr<Subject> model = MakeSuspect(info, {});
     std::size_t drawn = 0;
     for (std::uint64_t k = 0; k < 200; ++k) {
-      const Case c = DrawCase(info, Model(), 1, k);
+      const Case c = DrawCase(info, EqualsTheModel(), 1, k);
       if (!SuspectsDraw(c.scene, info)) continue;
       CoverageCounts counts(c.scene.width, c.scene.height, info.profile.pattern.samples());
       DrawOnto(*model, c.scene, c.options, counts);
@@ -160,7 +160,7 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
   Case cut = Triangle3({{0, 0, 0, 1}, {7, 0.25, 0, 1}, {0, 7, 0, 1}});
   cut.options.scissor = PixelRect{0, 0, 2, 2};
   const std::vector<FailedProperty> failures{
-      {&Model(), {small}}, {&Model(), {tie}}, {&Model(), {cut}}};
+      {&EqualsTheModel(), {small}}, {&EqualsTheModel(), {tie}}, {&EqualsTheModel(), {cut}}};
   const Explanation found = Explain(ThreeBugs, failures, kLongest);
   std::vector<std::string> names;
   for (const Cause& cause : found.causes) {
@@ -183,7 +183,7 @@ TEST(Infer, NamesTheDrawThatRefutedTheModelThatWasLeftLast) {
 
 TEST(OnlyWith, NamesWhatTheWrongDrawsShare) {
   const MakesSubject make = MutantMaker("mutant:overflow-unsigned");
-  const FailedProperty failure = FailureOf(make, Model());
+  const FailedProperty failure = FailureOf(make, EqualsTheModel());
   ASSERT_NE(failure.property, nullptr);
   const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
   ASSERT_EQ(found.causes.size(), 1U);

@@ -81,61 +81,61 @@ constexpr double kTolerance = 0x1p-20;
 constexpr double kWay = 8 * kTolerance;
 constexpr double kMore = 1 + 0x1p-20;
 
-bool IsWithin(const CentroidFragment& f) { return DistanceFromRegion(f).within; }
+bool LiesWithin(const CentroidFragment& f) { return DistanceFromRegion(f).within; }
 
 TEST(CentroidRegion, EndsWithThePixel) {
-  EXPECT_TRUE(IsWithin(InPixel(false, 2.5, 3.5, 0)));
-  EXPECT_TRUE(IsWithin(InPixel(false, 3, 3, 0))) << "the pixel is closed";
-  EXPECT_FALSE(IsWithin(InPixel(false, 3 + kWay, 3.5, 0)));
+  EXPECT_TRUE(LiesWithin(InPixel(false, 2.5, 3.5, 0)));
+  EXPECT_TRUE(LiesWithin(InPixel(false, 3, 3, 0))) << "the pixel is closed";
+  EXPECT_FALSE(LiesWithin(InPixel(false, 3 + kWay, 3.5, 0)));
   for (const int side : {-1, 1}) {
     const double x = side < 0 ? 2 : 3;
     const double y = side < 0 ? 3 : 4;
-    EXPECT_TRUE(IsWithin(InPixel(false, x + side * kWay, 3.5, kTolerance)));
-    EXPECT_FALSE(IsWithin(InPixel(false, x + side * kWay * kMore, 3.5, kTolerance)));
-    EXPECT_TRUE(IsWithin(InPixel(false, 2.5, y + side * kWay, kTolerance)));
-    EXPECT_FALSE(IsWithin(InPixel(false, 2.5, y + side * kWay * kMore, kTolerance)));
+    EXPECT_TRUE(LiesWithin(InPixel(false, x + side * kWay, 3.5, kTolerance)));
+    EXPECT_FALSE(LiesWithin(InPixel(false, x + side * kWay * kMore, 3.5, kTolerance)));
+    EXPECT_TRUE(LiesWithin(InPixel(false, 2.5, y + side * kWay, kTolerance)));
+    EXPECT_FALSE(LiesWithin(InPixel(false, 2.5, y + side * kWay * kMore, kTolerance)));
   }
 }
 
 // Off by kTolerance in x and in y, the third barycentric is off by twice as much: no point explains
 // all three, though each pair has one.
 TEST(CentroidRegion, IsOfAllBarycentricsAtOnce) {
-  EXPECT_FALSE(IsWithin(InPixel(false, 3 + kWay, 4 + kWay, kTolerance)));
-  EXPECT_TRUE(IsWithin(InPixel(false, 3 + kWay / 2, 4 + kWay / 2, kTolerance)));
-  EXPECT_FALSE(IsWithin(InPixel(false, 3 + kWay / 2 * kMore, 4 + kWay / 2 * kMore, kTolerance)));
+  EXPECT_FALSE(LiesWithin(InPixel(false, 3 + kWay, 4 + kWay, kTolerance)));
+  EXPECT_TRUE(LiesWithin(InPixel(false, 3 + kWay / 2, 4 + kWay / 2, kTolerance)));
+  EXPECT_FALSE(LiesWithin(InPixel(false, 3 + kWay / 2 * kMore, 4 + kWay / 2 * kMore, kTolerance)));
   CentroidFragment longer = InPixel(false, 2.5, 3.5, kTolerance);
   for (double& l : longer.barycentrics) l += kTolerance;
-  EXPECT_TRUE(IsWithin(longer)) << "a sum that is off by three tolerances";
+  EXPECT_TRUE(LiesWithin(longer)) << "a sum that is off by three tolerances";
   longer.barycentrics[1] += 0x1p-40;
-  EXPECT_FALSE(IsWithin(longer));
+  EXPECT_FALSE(LiesWithin(longer));
 }
 
 TEST(CentroidRegion, EndsWithTheTriangle) {
   // The line x + y = 6.5 runs through the pixel.
-  EXPECT_TRUE(IsWithin(InPixel(true, 2.5, 4, 0))) << "the triangle is closed";
-  EXPECT_FALSE(IsWithin(InPixel(true, 2.5 + 0x1p-30, 4, 0)));
-  EXPECT_FALSE(IsWithin(InPixel(true, 2.9, 3.9, kTolerance)));
+  EXPECT_TRUE(LiesWithin(InPixel(true, 2.5, 4, 0))) << "the triangle is closed";
+  EXPECT_FALSE(LiesWithin(InPixel(true, 2.5 + 0x1p-30, 4, 0)));
+  EXPECT_FALSE(LiesWithin(InPixel(true, 2.9, 3.9, kTolerance)));
   // Across it by d in x and y, lambda_0 is off by d / 4.
-  EXPECT_TRUE(IsWithin(InPixel(true, 2.75 + kWay / 2, 3.75 + kWay / 2, kTolerance)));
+  EXPECT_TRUE(LiesWithin(InPixel(true, 2.75 + kWay / 2, 3.75 + kWay / 2, kTolerance)));
   EXPECT_FALSE(
-      IsWithin(InPixel(true, 2.75 + kWay / 2 * kMore, 3.75 + kWay / 2 * kMore, kTolerance)));
+      LiesWithin(InPixel(true, 2.75 + kWay / 2 * kMore, 3.75 + kWay / 2 * kMore, kTolerance)));
 }
 
 // Beyond both the side x = 3 and the line x + y = 6.5: within each, not within their corner.
 TEST(CentroidRegion, IsWhatPixelAndTriangleShare) {
   const Point2 shared{3, 3.5};
-  EXPECT_TRUE(IsWithin(InPixel(true, shared.x, shared.y, 0)));
-  EXPECT_TRUE(IsWithin(InPixel(true, shared.x + kWay, shared.y, kTolerance)));
-  EXPECT_FALSE(IsWithin(InPixel(true, shared.x + kWay, shared.y + kWay / 2, kTolerance)));
+  EXPECT_TRUE(LiesWithin(InPixel(true, shared.x, shared.y, 0)));
+  EXPECT_TRUE(LiesWithin(InPixel(true, shared.x + kWay, shared.y, kTolerance)));
+  EXPECT_FALSE(LiesWithin(InPixel(true, shared.x + kWay, shared.y + kWay / 2, kTolerance)));
 }
 
 TEST(CentroidRegion, HasNoPointThatIsNoNumber) {
   for (const double bad : {std::nan(""), HUGE_VAL, -HUGE_VAL}) {
     CentroidFragment f = InPixel(false, 2.5, 3.5, kTolerance);
     f.barycentrics[1] = bad;
-    EXPECT_FALSE(IsWithin(f));
+    EXPECT_FALSE(LiesWithin(f));
     f.region.at = Point2{2.5, 3.5};
-    EXPECT_FALSE(IsWithin(f));
+    EXPECT_FALSE(LiesWithin(f));
   }
 }
 
@@ -146,10 +146,10 @@ TEST(CentroidPoint, IsHeldToItsTolerance) {
   for (std::size_t i = 0; i < 3; ++i) {
     CentroidFragment off = f;
     off.barycentrics[i] += kTolerance;
-    EXPECT_TRUE(IsWithin(off));
+    EXPECT_TRUE(LiesWithin(off));
     EXPECT_EQ(DistanceFromRegion(off).ratio, 1);
     off.barycentrics[i] += 0x1p-40;
-    EXPECT_FALSE(IsWithin(off));
+    EXPECT_FALSE(LiesWithin(off));
   }
 }
 

@@ -160,14 +160,14 @@ Profile Canonical(Centroid rule, int samples) {
   return profile;
 }
 
-PropertyResult Campaign(Subject& subject, std::uint64_t cases = 200) {
+PropertyResult CampaignOf(Subject& subject, std::uint64_t cases = 200) {
   CampaignOptions options;
   options.cases = cases;
   return RunCampaign(subject, *FindProperty(kName), options);
 }
 
 void ExpectHolds(Subject& subject, const std::string& what) {
-  const PropertyResult result = Campaign(subject, Cases(200U));
+  const PropertyResult result = CampaignOf(subject, Cases(200U));
   EXPECT_EQ(result.outcome, Outcome::kHolds) << what << ": " << result.message;
   EXPECT_GT(result.cases_exercised, kOneCaseIn > 1 ? 0U : 80U) << what;
   EXPECT_LE(result.worst_ratio, 1) << what;
@@ -402,7 +402,7 @@ TEST(CentroidsLieWhereStated, AppliesWhereTheProfileAndTheSubjectSayIt) {
   const auto outcome = [](const Profile& profile, auto change) {
     ShowsCentroids subject(profile, {});
     change(subject.info());
-    return Campaign(subject).outcome;
+    return CampaignOf(subject).outcome;
   };
   const auto as_it_is = [](SubjectInfo&) {};
   EXPECT_EQ(outcome(Canonical(Centroid::kUnstated, 4), as_it_is), Outcome::kNotApplicable);
@@ -434,7 +434,7 @@ TEST(CentroidsLieWhereStated, IsAskedForByClausesAndByWhatIsStated) {
 TEST(CentroidsLieWhereStated, OneWrongFragmentIsFound) {
   const auto found = [](const Profile& profile, auto at) {
     ShowsCentroids subject(profile, {.at = at});
-    return Campaign(subject).outcome == Outcome::kViolated;
+    return CampaignOf(subject).outcome == Outcome::kViolated;
   };
   EXPECT_TRUE(found(Canonical(Centroid::kDirect3D, 4), [](const Seen& seen) {
     return seen.corner == Point2{3, 3} ? seen.First(true) : Direct3D(seen);
@@ -446,7 +446,7 @@ TEST(CentroidsLieWhereStated, OneWrongFragmentIsFound) {
                            {.spoilt = [](Barycentric3& l, std::size_t s, const Seen& seen) {
                              if (s == 3 && seen.IsWhole()) std::swap(l[0], l[1]);
                            }});
-  EXPECT_EQ(Campaign(by_sample).outcome, Outcome::kViolated) << "at the last sample alone";
+  EXPECT_EQ(CampaignOf(by_sample).outcome, Outcome::kViolated) << "at the last sample alone";
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ using testing::RealInfo;
 
 constexpr int kSide = 8;
 
-Case OneTriangle() {
+Case TriangleInEight() {
   Case c;
   c.scene.width = kSide;
   c.scene.height = kSide;
@@ -41,7 +41,7 @@ using Which = std::function<bool(const Scene&)>;
 
 // Right, but where `is_bad` says so: there it throws, or draws nothing.
 Trial Tried(std::string_view property, const Which& is_bad, bool throws,
-            const Case& c = OneTriangle()) {
+            const Case& c = TriangleInEight()) {
   SubjectInfo info = RealInfo();
   info.profile = c.profile;
   info.takes_scissor = true;
@@ -100,7 +100,7 @@ TEST(DrawnScene, TellsHowItWasDrawn) {
 
 // With y up the rows of the lower target are the last ones of the higher.
 TEST(DrawnScene, HasTheWitnessInIt) {
-  Case c = OneTriangle();
+  Case c = TriangleInEight();
   c.profile.y_axis = YAxis::kUp;
   const Verdict verdict = Tried("TargetHeightKeepsCoverage", IsHigh, false, c).verdict;
   ASSERT_NE(verdict.drawn, nullptr);

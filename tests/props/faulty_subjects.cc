@@ -71,6 +71,10 @@ SubjectInfo SnappedInfo(int bits) {
   return info;
 }
 
+void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  counts += exact::Coverage(scene, Profile{}, options);
+}
+
 FakeSubject Sound(const SubjectInfo& info) {
   return {info, [profile = info.profile](const Scene& scene, const DrawOptions& options,
                                          CoverageCounts& counts) {

@@ -7,6 +7,9 @@
 #include <string_view>
 
 #include "core/case.h"
+#include "core/coverage.h"
+#include "core/draw_options.h"
+#include "core/scene.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
@@ -17,6 +20,9 @@ namespace rasterproof::props::testing {
 
 SubjectInfo RealInfo(Precision input = Precision::kFloat32);
 SubjectInfo SnappedInfo(int bits);
+
+/// Adds the exact coverage under the profile that nobody has changed.
+void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts);
 
 FakeSubject Sound(const SubjectInfo& info);
 /// The exact model of another profile than the one it states.

@@ -39,7 +39,7 @@ Profile ModelPart(Profile profile) {
   return profile;
 }
 
-void AddTo(CoverageCounts& counts, const CoverageCounts& more) {
+void AddDrawn(CoverageCounts& counts, const CoverageCounts& more) {
   for (std::size_t k = 0; k < counts.size(); ++k) {
     counts.front[k] += more.front[k];
     counts.back[k] += more.back[k];
@@ -51,7 +51,7 @@ FakeSubject Follows(const Profile& model, const Profile& stated) {
   SubjectInfo info = RealInfo();
   info.profile = stated;
   return {info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-            AddTo(counts, exact::Coverage(scene, model, options));
+            AddDrawn(counts, exact::Coverage(scene, model, options));
           }};
 }
 
@@ -231,7 +231,7 @@ TEST(Infer, ToldReversedFacings) {
       info, [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         CoverageCounts drawn = exact::Coverage(scene, model, options);
         std::swap(drawn.front, drawn.back);
-        AddTo(counts, drawn);
+        AddDrawn(counts, drawn);
       });
   const Inference inference = Infer(subject);
   ASSERT_TRUE(inference.Fits()) << inference.message;
@@ -341,7 +341,7 @@ FakeSubject EndsAt(int n, void (*end)(), int& draws) {
   return {info,
           [=, &draws](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
             if (++draws == n) end();
-            AddTo(counts, exact::Coverage(scene, model, options));
+            AddDrawn(counts, exact::Coverage(scene, model, options));
           }};
 }
 
@@ -383,7 +383,7 @@ TEST(Infer, FindsTheModelOfASubjectThatTakesLittleRoom) {
         [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
           for (const Vertex& v : scene.vertices)
             farthest = std::max({farthest, std::abs(v.x), std::abs(v.y)});
-          AddTo(counts, exact::Coverage(scene, planted, options));
+          AddDrawn(counts, exact::Coverage(scene, planted, options));
         });
     const Inference inference = Infer(subject);
     ASSERT_TRUE(inference.Fits()) << limit << ": " << inference.message;
@@ -461,7 +461,7 @@ TEST(Infer, NamesThePlantedModelOfASubjectThatIsWrongNowAndThen) {
       RealInfo(), [model](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         CoverageCounts drawn = exact::Coverage(scene, model, options);
         if (!scene.vertices.empty() && scene.vertices[0].y < 1) drawn.front[0] = drawn.back[0] = 0;
-        AddTo(counts, drawn);
+        AddDrawn(counts, drawn);
       });
   const Inference inference = Infer(subject);
   EXPECT_FALSE(inference.Fits());
@@ -480,7 +480,7 @@ TEST(Infer, FindsTheModelOfASubjectThatRefusesSomeScenes) {
         if (!scene.vertices.empty() && scene.vertices[0].x < 0) {
           throw SubjectStop(Stop::kRefused, "no");
         }
-        AddTo(counts, exact::Coverage(scene, model, options));
+        AddDrawn(counts, exact::Coverage(scene, model, options));
       });
   const Inference inference = Infer(subject);
   ASSERT_TRUE(inference.Fits()) << inference.message;

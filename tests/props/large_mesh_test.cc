@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/profile.h"
-#include "exact/coverage.h"
 #include "props/judging/as_shown.h"
 #include "props/run/campaign.h"
 #include "tests/props/faulty_subjects.h"
@@ -18,11 +17,8 @@
 namespace rasterproof::props {
 namespace {
 
+using testing::DrawRight;
 using testing::ShownSubject;
-
-void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  counts += exact::Coverage(scene, Profile{}, options);
-}
 
 bool TakesAll(std::span<const Triangle> /*call*/, std::size_t /*number*/) { return true; }
 

@@ -28,7 +28,7 @@ namespace {
 using testing::RealInfo;
 using testing::SnappedInfo;
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kMeshSeed = 1;
 
 SubjectInfo ClipInfo(Contract contract, int snap_bits = Snap::kNone) {
   SubjectInfo info = RealInfo();
@@ -106,7 +106,7 @@ FakeSubject Cracked(const SubjectInfo& info) {
 
 PropertyResult Campaign(Subject& subject, std::string_view property, std::uint64_t cases) {
   CampaignOptions options;
-  options.seed = kSeed;
+  options.seed = kMeshSeed;
   options.cases = Cases<std::uint64_t>(cases);
   return RunCampaign(subject, *FindProperty(property), options);
 }

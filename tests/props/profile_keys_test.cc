@@ -45,7 +45,7 @@ std::vector<SubjectInfo> FixedInfos() {
           FixedInfo({24, 8, true, false}),    FixedInfo({1, 16, false, false}, 4)};
 }
 
-Verdict Judged(Subject& subject, std::string_view property, const Case& c) {
+Verdict Told(Subject& subject, std::string_view property, const Case& c) {
   return RunCase(subject, *FindProperty(property), c);
 }
 
@@ -208,9 +208,9 @@ TEST(GuardBand, SkipsSamplesAndStillJudgesMeshes) {
                       counts = exact::Coverage(clipped, SnappedInfo(8).profile, options);
                     });
   const Case far = FarNeighbours(info.profile);
-  EXPECT_EQ(Judged(moved, "CoverageEqualsTheModel", far).outcome, Outcome::kNotExercised);
-  EXPECT_EQ(Judged(moved, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kHolds);
-  EXPECT_EQ(Judged(moved, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kHolds);
+  EXPECT_EQ(Told(moved, "CoverageEqualsTheModel", far).outcome, Outcome::kNotExercised);
+  EXPECT_EQ(Told(moved, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kHolds);
+  EXPECT_EQ(Told(moved, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kHolds);
   FakeSubject torn(
       info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
         for (const Triangle& t : scene.triangles) {
@@ -224,8 +224,8 @@ TEST(GuardBand, SkipsSamplesAndStillJudgesMeshes) {
           }
         }
       });
-  EXPECT_EQ(Judged(torn, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kViolated);
-  EXPECT_EQ(Judged(torn, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kViolated);
+  EXPECT_EQ(Told(torn, "SharedEdgeSamplesAreCoveredOnce", far).outcome, Outcome::kViolated);
+  EXPECT_EQ(Told(torn, "SignedCoverageEqualsTheWindingNumber", far).outcome, Outcome::kViolated);
 }
 
 TEST(Targets, AreJudgedEachByItsOwnModel) {
@@ -238,16 +238,16 @@ TEST(Targets, AreJudgedEachByItsOwnModel) {
         counts = exact::Coverage(scene, always_small, options);
       });
   Case c = CaseOf(info.profile, {{0.375, 0, 0, 1}, {9, 0, 0, 1}, {0.375, 9, 0, 1}}, {{0, 1, 2}}, 9);
-  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
-  EXPECT_EQ(Judged(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Told(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Told(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
   for (const std::string_view property :
        {"TargetWidthKeepsCoverage", "TargetHeightKeepsCoverage"}) {
-    EXPECT_EQ(Judged(sound, property, c).outcome, Outcome::kNotExercised) << property;
+    EXPECT_EQ(Told(sound, property, c).outcome, Outcome::kNotExercised) << property;
   }
   c.scene.vertices[0].x = c.scene.vertices[2].x = 0.75;
   c.scene.width = 10;
-  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
-  EXPECT_EQ(Judged(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+  EXPECT_EQ(Told(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Told(wrong, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
 }
 
 TEST(Targets, GrowWhereYGrows) {
@@ -256,7 +256,7 @@ TEST(Targets, GrowWhereYGrows) {
     info.profile.y_axis = y_axis;
     FakeSubject sound = Sound(info);
     const Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {9, 0, 0, 1}, {0, 5, 0, 1}}, {{0, 1, 2}}, 9);
-    EXPECT_EQ(Judged(sound, "TargetHeightKeepsCoverage", c).outcome, Outcome::kHolds);
+    EXPECT_EQ(Told(sound, "TargetHeightKeepsCoverage", c).outcome, Outcome::kHolds);
   }
 }
 
@@ -273,13 +273,13 @@ TEST(EdgeSamples, AsksForOneOwnerAtLeast) {
   for (const std::string_view property :
        {"CoverageEqualsTheModel", "SharedEdgeSamplesAreCoveredOnce",
         "EmbeddedMeshSamplesAreCoveredOnce"}) {
-    EXPECT_EQ(Judged(twice, property, square).outcome, Outcome::kHolds) << property;
-    EXPECT_EQ(Judged(once, property, square).outcome, Outcome::kHolds) << property;
-    EXPECT_EQ(Judged(never, property, square).outcome, Outcome::kViolated) << property;
+    EXPECT_EQ(Told(twice, property, square).outcome, Outcome::kHolds) << property;
+    EXPECT_EQ(Told(once, property, square).outcome, Outcome::kHolds) << property;
+    EXPECT_EQ(Told(never, property, square).outcome, Outcome::kViolated) << property;
   }
-  EXPECT_EQ(Judged(twice, "SignedCoverageEqualsTheWindingNumber", square).outcome,
+  EXPECT_EQ(Told(twice, "SignedCoverageEqualsTheWindingNumber", square).outcome,
             Outcome::kNotApplicable);
-  EXPECT_EQ(Judged(twice, "VertexRotationKeepsCoverage", square).outcome, Outcome::kNotApplicable);
+  EXPECT_EQ(Told(twice, "VertexRotationKeepsCoverage", square).outcome, Outcome::kNotApplicable);
 }
 
 TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
@@ -296,18 +296,18 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
   Case c = CaseOf(info.profile, corners, {{0, 0, 1}, {0, 1, 2}});
   for (const std::string_view property :
        {"CoverageEqualsTheModel", "DegenerateTrianglesCoverNothing"}) {
-    EXPECT_EQ(Judged(subject, property, c).outcome, Outcome::kViolated) << property;
+    EXPECT_EQ(Told(subject, property, c).outcome, Outcome::kViolated) << property;
   }
   c.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
-  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
-  EXPECT_EQ(Judged(subject, "DegenerateTrianglesCoverNothing", c).outcome, Outcome::kNotApplicable);
+  EXPECT_EQ(Told(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
+  EXPECT_EQ(Told(subject, "DegenerateTrianglesCoverNothing", c).outcome, Outcome::kNotApplicable);
   // The others are judged, and named by their place in the whole list.
   c.scene.vertices[2].y = 5;
   FakeSubject off(info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
     counts = exact::Coverage(scene, SnappedInfo(0).profile, options);
     counts.front[9] += 1;
   });
-  const Verdict verdict = Judged(off, "CoverageEqualsTheModel", c);
+  const Verdict verdict = Told(off, "CoverageEqualsTheModel", c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->triangle, 1);
 }
@@ -321,11 +321,11 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite
     }
   });
   Case c = CaseOf(info.profile, {{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}}, {{0, 0, 1}});
-  EXPECT_EQ(Judged(crashing, "DrawStaysInsideItsTarget", c).outcome, Outcome::kViolated);
+  EXPECT_EQ(Told(crashing, "DrawStaysInsideItsTarget", c).outcome, Outcome::kViolated);
   c.scene.vertices[0].x = std::nan("");
   FakeSubject sound =
       testing::WithProfile(info, [](Profile& drawn) { drawn = SnappedInfo(8).profile; });
-  EXPECT_EQ(Judged(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
+  EXPECT_EQ(Told(sound, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
 }
 
 TEST(MaxPrimitiveExtent, IsVerifiedBothWays) {
@@ -466,11 +466,11 @@ TEST(MaxTarget, LeavesLargerOnesUnjudged) {
   FakeSubject subject = testing::DropsLastColumn(info);
   const std::vector<Vertex> corners = {{0, 0}, {0, 64}, {64, 0}};
   Case c = CaseOf(info.profile, corners, {{0, 1, 2}}, 8);
-  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+  EXPECT_EQ(Told(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
   c.profile.max_target = {8, 8};
-  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+  EXPECT_EQ(Told(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
   c.profile.max_target = {8, 7};
-  EXPECT_EQ(Judged(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
+  EXPECT_EQ(Told(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kNotExercised);
 }
 
 TEST(Infer, DoesNotStrikeOutWhatSharingAllows) {

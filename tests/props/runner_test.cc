@@ -15,7 +15,6 @@
 
 #include "core/call_end.h"
 #include "core/error.h"
-#include "exact/coverage.h"
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
@@ -25,14 +24,11 @@
 namespace rasterproof::props {
 namespace {
 
+using testing::DrawRight;
 using testing::ModelProperty;
 using testing::RealInfo;
 
 constexpr std::array<std::string_view, 3> kDomains{"uniform-subpixel", "fans", "needles"};
-
-void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  counts += exact::Coverage(scene, Profile{}, options);
-}
 
 SubjectStop Refusal() { return {Stop::kRefused, "it refused the scene"}; }
 

@@ -20,13 +20,13 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::uint64_t kSeed = 5;
+constexpr std::uint64_t kSampleSeed = 5;
 
 Outcome Found(Subject& subject, const Property& property, std::uint64_t cases) {
   Outcome outcome = Outcome::kNotExercised;
   for (std::uint64_t k = 0; k < cases && outcome != Outcome::kViolated; ++k) {
     const Verdict verdict =
-        RunCase(subject, property, DrawCase(subject.Info(), property, kSeed, k));
+        RunCase(subject, property, DrawCase(subject.Info(), property, kSampleSeed, k));
     if (verdict.outcome != Outcome::kNotExercised) outcome = verdict.outcome;
   }
   return outcome;

@@ -42,13 +42,13 @@ constexpr std::string_view kNames[] = {
     "MetSquaresIncludeCoveredCentres", "HeldSquaresHaveCoveredCentres",
     "SubdivisionLeavesNoSquareUntouched"};
 
-struct Judged {
+struct JudgedSquares {
   std::uint64_t exercised = 0;
   std::string violated;
 };
 
-Judged RunAll(Subject& subject, std::uint64_t seed, std::uint64_t cases) {
-  Judged run;
+JudgedSquares RunAll(Subject& subject, std::uint64_t seed, std::uint64_t cases) {
+  JudgedSquares run;
   for (const std::string_view name : kNames) {
     const Property& property = *FindProperty(name);
     if (DomainsFor(subject.Info(), property).empty()) continue;
@@ -69,7 +69,7 @@ TEST(Squares, OfALegalVariantHoldInFiveSeeds) {
     if (!variant.name.starts_with("legal:squares-")) continue;
     const std::unique_ptr<Subject> subject = subjects::MakeMutant(variant.name);
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-      const Judged run = RunAll(*subject, seed, Cases<std::uint64_t>(40));
+      const JudgedSquares run = RunAll(*subject, seed, Cases<std::uint64_t>(40));
       EXPECT_EQ(run.violated, "") << variant.name << ", seed " << seed;
       EXPECT_GT(run.exercised, 0U) << variant.name;
     }
@@ -96,7 +96,7 @@ TEST(Squares, AtTheBoundsOfAnyPresetHold) {
       const bool shows_too_little =
           !most && rule.flat == FlatSquares::kDrawn && rule.must->square == Closure::kOpen;
       if (!(most ? rule.may : rule.must) || shows_too_little) continue;
-      const Judged run = RunAll(subject, 3, Cases<std::uint64_t>(60));
+      const JudgedSquares run = RunAll(subject, 3, Cases<std::uint64_t>(60));
       EXPECT_EQ(run.violated, "") << preset.name << (most ? ", most" : ", least");
       EXPECT_GT(run.exercised, 0U) << preset.name;
     }

@@ -23,9 +23,9 @@ using Clock = std::chrono::steady_clock;
 using testing::ModelProperty;
 using testing::RealInfo;
 
-constexpr std::array<std::string_view, 3> kDomains{"uniform-subpixel", "fans", "needles"};
+constexpr std::array<std::string_view, 3> kTimedDomains{"uniform-subpixel", "fans", "needles"};
 
-bool Says(const std::string& text, std::string_view words) {
+bool HasWords(const std::string& text, std::string_view words) {
   return text.find(words) != std::string::npos;
 }
 
@@ -58,7 +58,7 @@ PropertyResult RunTimed(Time& time, const Take& take, CampaignOptions options) {
       });
   outside.on_deadline = [&](Clock::time_point deadline) { time.deadline = deadline; };
   options.now = [&time] { return time.now; };
-  return RunCampaign(outside, ModelProperty(kDomains), options);
+  return RunCampaign(outside, ModelProperty(kTimedDomains), options);
 }
 
 TEST(ASlowSubject, IsNeverViolatedForIt) {
@@ -71,9 +71,9 @@ TEST(ASlowSubject, IsNeverViolatedForIt) {
   const PropertyResult result = RunTimed(time, slow_over_the_50th, {.cases = 120});
   EXPECT_EQ(result.outcome, Outcome::kInconclusive);
   EXPECT_EQ(result.cases, 50U);
-  EXPECT_TRUE(Says(result.message, "fans:4140016@1: no answer within 10 s; --time-limit"))
+  EXPECT_TRUE(HasWords(result.message, "fans:4140016@1: no answer within 10 s; --time-limit"))
       << result.message;
-  EXPECT_TRUE(Says(result.message, "nothing violated so far, exercised in 49 of 50 cases"))
+  EXPECT_TRUE(HasWords(result.message, "nothing violated so far, exercised in 49 of 50 cases"))
       << result.message;
 }
 
@@ -142,8 +142,8 @@ TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsProperty) {
   const CampaignOptions options{.cases = 100, .time_limit = Hanging::kLimit, .pace = &pace};
   const PropertyResult result = RunTimed(time, std::ref(hanging), options);
   ASSERT_EQ(result.outcome, Outcome::kViolated) << result.message;
-  EXPECT_TRUE(Says(result.message, "it gave no answer within 100 s")) << result.message;
-  EXPECT_TRUE(Says(result.message, "smaller cases without an answer")) << result.message;
+  EXPECT_TRUE(HasWords(result.message, "it gave no answer within 100 s")) << result.message;
+  EXPECT_TRUE(HasWords(result.message, "smaller cases without an answer")) << result.message;
   EXPECT_EQ(result.counterexample->verdict.outcome, Outcome::kViolated);
   EXPECT_LE(hanging.hangs, 1 + kMostHangs);
   EXPECT_LE(result.seconds, (11 + kMostHangLimits + 0.2) * Hanging::kLimit);
@@ -155,7 +155,7 @@ TEST(AHang, IsShrunkWithFewTimeLimitsAndEndsItsProperty) {
     hanging.hangs = 0;
     const PropertyResult next = RunTimed(time, std::ref(hanging), options);
     EXPECT_EQ(next.outcome, Outcome::kInconclusive);
-    EXPECT_TRUE(Says(next.message, "saw the subject hang")) << next.message;
+    EXPECT_TRUE(HasWords(next.message, "saw the subject hang")) << next.message;
     EXPECT_EQ(hanging.hangs, 1);
     EXPECT_LE(next.seconds, 1.1 * share * Hanging::kLimit);
     pace.Answered(0.001);
@@ -201,7 +201,7 @@ TEST(AHang, IsNoCrashThatTookItsTime) {
     if (++n == 3) BreakDown("it was killed by signal 6");
   };
   const PropertyResult result = RunTimed(time, crashes_once, {.cases = 9, .time_limit = 10});
-  EXPECT_TRUE(Says(result.message, "not deterministic")) << result.message;
+  EXPECT_TRUE(HasWords(result.message, "not deterministic")) << result.message;
 }
 
 TEST(AHang, IsShrunkWithinTheRunsTime) {
@@ -210,7 +210,8 @@ TEST(AHang, IsShrunkWithinTheRunsTime) {
   const PropertyResult result = RunTimed(
       time, std::ref(hanging), {.cases = 100, .seconds = 113, .time_limit = Hanging::kLimit});
   EXPECT_EQ(result.outcome, Outcome::kViolated);
-  EXPECT_TRUE(Says(result.message, "not shrunk any further: the time was up")) << result.message;
+  EXPECT_TRUE(HasWords(result.message, "not shrunk any further: the time was up"))
+      << result.message;
   EXPECT_LE(result.seconds, 113.1);
 }
 

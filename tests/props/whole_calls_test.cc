@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "core/profile.h"
-#include "exact/coverage.h"
 #include "props/run/campaign.h"
 #include "tests/props/faulty_subjects.h"
 #include "tests/props/shown_subject.h"
@@ -17,15 +16,12 @@
 namespace rasterproof::props {
 namespace {
 
+using testing::DrawRight;
 using testing::ShownSubject;
 using testing::Takes;
 
 constexpr std::array kShown{CoverageKind::kFacingCounts, CoverageKind::kCounts, CoverageKind::kMask,
                             CoverageKind::kPrimitiveIds};
-
-void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  counts += exact::Coverage(scene, Profile{}, options);
-}
 
 bool TakesAll(std::span<const Triangle> /*call*/, std::size_t /*number*/) { return true; }
 

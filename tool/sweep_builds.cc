@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdlib>
+#include <initializer_list>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -122,20 +123,32 @@ InputError NoBuild(const std::string& word) {
           "write gcc, clang, clang-19, i386, aarch64, or flags that begin with -"};
 }
 
-// The last of the words that begins so; empty if none does.
-std::string LastWord(const std::string& words, std::string_view begin) {
+// The last of the words that begins in one of these ways; empty if none does.
+std::string LastWord(const std::string& words, std::initializer_list<std::string_view> begins) {
   std::string last;
   std::istringstream in(words);
   for (std::string word; in >> word;) {
-    if (word.starts_with(begin)) last = word;
+    if (std::ranges::any_of(begins,
+                            [&](std::string_view begin) { return word.starts_with(begin); }))
+      last = word;
   }
   return last;
 }
 
-// What a compiler does without the flag. In the modes of ISO C, and not in those of C++, gcc does
-// not contract.
-std::string UsualContraction(bool is_gcc, std::string_view standard) {
+bool AllowsUnsafeMath(const std::string& words) {
+  const std::string math =
+      LastWord(words, {"-ffast-math", "-fno-fast-math", "-funsafe-math-optimizations",
+                       "-fno-unsafe-math-optimizations"});
+  return math.empty() ? LastWord(words, {"-O"}) == "-Ofast" : !math.starts_with("-fno-");
+}
+
+// What a compiler does without the flag; empty if that is by the source's language. Unsafe
+// mathematics contracts everywhere; else gcc does not in the modes of ISO C, but does in C++.
+std::string UsualContraction(bool is_gcc, const std::string& words) {
+  if (AllowsUnsafeMath(words)) return "-ffp-contract=fast";
   if (!is_gcc) return "-ffp-contract=on";
+  const std::string standard = LastWord(words, {"-std=", "-ansi"});
+  if (standard == "-ansi") return "";
   const bool is_iso_c = (standard.starts_with("-std=c") && !standard.starts_with("-std=c++")) ||
                         standard.starts_with("-std=iso");
   return is_iso_c ? "-ffp-contract=off" : "-ffp-contract=fast";
@@ -224,13 +237,13 @@ SweepBuild BuildFrom(const std::string& words, const std::string& cflags) {
     }
   }
   const std::string all = cflags + " " + words;
-  const std::string level = LastWord(all, "-O");
-  if (LastWord(words, "-O").empty()) build.choices.push_back(Flag(level.empty() ? "-O0" : level));
-  const std::string contract = LastWord(all, "-ffp-contract=");
-  if (LastWord(words, "-ffp-contract=").empty()) {
+  const std::string level = LastWord(all, {"-O"});
+  if (LastWord(words, {"-O"}).empty()) build.choices.push_back(Flag(level.empty() ? "-O0" : level));
+  if (LastWord(words, {"-ffp-contract="}).empty()) {
     const bool is_gcc = ValueOf(build.choices, Kind::kCompiler, "gcc") == "gcc";
-    build.choices.push_back(
-        Flag(contract.empty() ? UsualContraction(is_gcc, LastWord(all, "-std=")) : contract));
+    std::string contract = LastWord(all, {"-ffp-contract="});
+    if (contract.empty()) contract = UsualContraction(is_gcc, all);
+    if (!contract.empty()) build.choices.push_back(Flag(contract));
   }
   return build;
 }

@@ -89,6 +89,26 @@ TEST(BuildFrom, WritesOutWhatACompilerDoesByItself) {
   EXPECT_EQ(name("gcc", "-O1 -ffp-contract=on -O2"), gcc + "-O2 -ffp-contract=on");
   EXPECT_EQ(name("gcc", ""), gcc + "-O0 -ffp-contract=fast");
   EXPECT_EQ(name("clang++ -Os", "-std=c11"), "clang -march=x86-64 -Os -ffp-contract=on");
+  // In C not, in C++ yes: the compiler is left to itself.
+  EXPECT_EQ(name("gcc -O3 -ansi", "-std=gnu11"), gcc + "-O3 -ansi");
+  EXPECT_EQ(name("gcc -O3", "-ansi -std=gnu11"), gcc + "-O3 -ffp-contract=fast");
+}
+
+// As `gcc -mfma -S` and `clang -mfma -S` of float p = a * b; p + c do.
+TEST(BuildFrom, ContractsWhereUnsafeMathematicsIsAllowed) {
+  const auto contracts = [](const char* words, const char* cflags) {
+    return BuildName(BuildFrom(words, cflags).choices).ends_with("-ffp-contract=fast");
+  };
+  for (const char* compiler : {"gcc ", "clang "}) {
+    for (const char* words : {"-O2 -ffast-math", "-O2 -funsafe-math-optimizations", "-Ofast"}) {
+      EXPECT_TRUE(contracts((std::string(compiler) + words).c_str(), "-std=c11")) << words;
+      EXPECT_TRUE(contracts(compiler, (std::string("-std=c11 ") + words).c_str())) << words;
+    }
+    EXPECT_FALSE(
+        contracts((std::string(compiler) + "-O2 -fno-fast-math").c_str(), "-std=c11 -ffast-math"));
+    EXPECT_FALSE(contracts((std::string(compiler) + "-O2").c_str(), "-std=c11 -Ofast"));
+    EXPECT_FALSE(contracts((std::string(compiler) + "-Ofast").c_str(), "-std=c11 -fno-fast-math"));
+  }
 }
 
 }  // namespace

@@ -53,8 +53,11 @@ class LegalCase(unittest.TestCase):
         self.assertEqual(counts.returncode, 0, counts.stderr)
         return [[int(n) for n in line.split()] for line in counts.stdout.splitlines()]
 
+    def rows(self, name, rows):
+        return self.write(name, "\n".join(" ".join(map(str, row)) for row in rows))
+
     def as_text(self, rows):
-        return self.write("counts.txt", "\n".join(" ".join(map(str, row)) for row in rows))
+        return self.rows("counts.txt", rows)
 
     def legal(self, image, profile, *more):
         return run("legal", self.scene, image, "--profile", profile, *more)

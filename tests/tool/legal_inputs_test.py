@@ -16,9 +16,6 @@ NO_FRONT = [[0] * 4] * 4
 
 
 class LegalFacingsTest(LegalCase):
-    def rows(self, name, rows):
-        return self.write(name, "\n".join(" ".join(map(str, row)) for row in rows))
-
     def judged(self, image, facings, profile, *more):
         done = self.legal(self.rows("image.txt", image), profile, "--facings",
                           self.rows("facings.txt", facings), *more)
@@ -124,9 +121,6 @@ class SavedCoreTest(LegalCase):
         for side in ("width", "height"):
             self.assertEqual(case["scene"][side], SQUARE[side])
         return case, done.stdout.replace(line + "\n", ""), again.stdout
-
-    def rows(self, name, rows):
-        return self.write(name, "\n".join(" ".join(map(str, row)) for row in rows))
 
     def test_a_saved_image_is_judged_again_with_the_same_words(self):
         twice = self.drawn("vulkan-canonical")

@@ -21,7 +21,7 @@ namespace rasterproof::props::testing {
 SubjectInfo RealInfo(Precision input = Precision::kFloat32);
 SubjectInfo SnappedInfo(int bits);
 
-/// Adds the exact coverage under the profile that nobody has changed.
+/// Adds the exact coverage of the scene under the default profile.
 void DrawRight(const Scene& scene, const DrawOptions& options, CoverageCounts& counts);
 
 FakeSubject Sound(const SubjectInfo& info);

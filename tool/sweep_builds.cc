@@ -142,13 +142,16 @@ bool AllowsUnsafeMath(const std::string& words) {
   return math.empty() ? LastWord(words, {"-O"}) == "-Ofast" : !math.starts_with("-fno-");
 }
 
-// What a compiler does without the flag; empty if that is by the source's language. Unsafe
-// mathematics contracts everywhere; else gcc does not in the modes of ISO C, but does in C++.
+// What a compiler does without the flag. Unsafe mathematics contracts everywhere; else gcc does
+// not in the modes of ISO C, but does in C++. With -ansi that depends on the source's language.
 std::string UsualContraction(bool is_gcc, const std::string& words) {
   if (AllowsUnsafeMath(words)) return "-ffp-contract=fast";
   if (!is_gcc) return "-ffp-contract=on";
   const std::string standard = LastWord(words, {"-std=", "-ansi"});
-  if (standard == "-ansi") return "";
+  if (standard == "-ansi")
+    throw InputError(fmt::format("--build: '{}'", words),
+                     "with -ansi gcc contracts in C++ and does not in C",
+                     "write -std=c90 or -std=c++98 instead, or add -ffp-contract=off or =fast");
   const bool is_iso_c = (standard.starts_with("-std=c") && !standard.starts_with("-std=c++")) ||
                         standard.starts_with("-std=iso");
   return is_iso_c ? "-ffp-contract=off" : "-ffp-contract=fast";
@@ -236,14 +239,13 @@ SweepBuild BuildFrom(const std::string& words, const std::string& cflags) {
       throw NoBuild(word);
     }
   }
-  const std::string all = cflags + " " + words;
+  const std::string all = cflags.empty() ? words : cflags + " " + words;
   const std::string level = LastWord(all, {"-O"});
   if (LastWord(words, {"-O"}).empty()) build.choices.push_back(Flag(level.empty() ? "-O0" : level));
   if (LastWord(words, {"-ffp-contract="}).empty()) {
     const bool is_gcc = ValueOf(build.choices, Kind::kCompiler, "gcc") == "gcc";
-    std::string contract = LastWord(all, {"-ffp-contract="});
-    if (contract.empty()) contract = UsualContraction(is_gcc, all);
-    if (!contract.empty()) build.choices.push_back(Flag(contract));
+    const std::string contract = LastWord(all, {"-ffp-contract="});
+    build.choices.push_back(Flag(contract.empty() ? UsualContraction(is_gcc, all) : contract));
   }
   return build;
 }

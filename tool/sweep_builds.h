@@ -44,7 +44,8 @@ std::vector<SweepBuild> PairsOf(const std::vector<SweepBuild>& builds);
 /// are flags, to compile and to link; the others name the compiler (gcc, clang, clang-19, or these
 /// of C++) or the target (i386, aarch64). It has none of the base's flags: of optimisation and
 /// contraction it has as flags what the words say, else what `cflags` do, else what the compiler
-/// does without a flag. Throws InputError for any other word.
+/// does without a flag. Throws InputError for any other word, and where that depends on the
+/// language of the source (-ansi).
 SweepBuild BuildFrom(const std::string& words, const std::string& cflags);
 
 /// The compiler and target of a build, and what their programs are called.

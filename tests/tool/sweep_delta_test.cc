@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "tool/sweep_blame.h"
 #include "tool/sweep_builds.h"
 
@@ -89,8 +90,10 @@ TEST(BuildFrom, WritesOutWhatACompilerDoesByItself) {
   EXPECT_EQ(name("gcc", "-O1 -ffp-contract=on -O2"), gcc + "-O2 -ffp-contract=on");
   EXPECT_EQ(name("gcc", ""), gcc + "-O0 -ffp-contract=fast");
   EXPECT_EQ(name("clang++ -Os", "-std=c11"), "clang -march=x86-64 -Os -ffp-contract=on");
-  // In C not, in C++ yes: the compiler is left to itself.
-  EXPECT_EQ(name("gcc -O3 -ansi", "-std=gnu11"), gcc + "-O3 -ansi");
+  // In C gcc does not, in C++ it does.
+  EXPECT_THROW(name("gcc -O3 -ansi", "-std=gnu11"), InputError);
+  EXPECT_EQ(name("gcc -O3 -ansi -ffp-contract=off", ""),
+            gcc + "-O3 -ansi -ffp-contract=off");
   EXPECT_EQ(name("gcc -O3", "-ansi -std=gnu11"), gcc + "-O3 -ffp-contract=fast");
 }
 

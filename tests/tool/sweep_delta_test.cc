@@ -92,8 +92,7 @@ TEST(BuildFrom, WritesOutWhatACompilerDoesByItself) {
   EXPECT_EQ(name("clang++ -Os", "-std=c11"), "clang -march=x86-64 -Os -ffp-contract=on");
   // In C gcc does not, in C++ it does.
   EXPECT_THROW(name("gcc -O3 -ansi", "-std=gnu11"), InputError);
-  EXPECT_EQ(name("gcc -O3 -ansi -ffp-contract=off", ""),
-            gcc + "-O3 -ansi -ffp-contract=off");
+  EXPECT_EQ(name("gcc -O3 -ansi -ffp-contract=off", ""), gcc + "-O3 -ansi -ffp-contract=off");
   EXPECT_EQ(name("gcc -O3", "-ansi -std=gnu11"), gcc + "-O3 -ffp-contract=fast");
 }
 

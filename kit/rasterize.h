@@ -34,7 +34,7 @@ namespace rasterproof {
 /// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles. Both aligned to 4
 ///             bytes, and apart from the target's memory, first row to last one's last pixel.
 struct RasterMesh {
-  std::span<const float> positions = {};        ///< x, y, z of each vertex; kDepths alone reads z
+  std::span<const float> positions = {};        ///< x, y, z of each vertex; z for depths alone
   std::span<const std::uint32_t> indices = {};  ///< three of each triangle
 };
 
@@ -44,12 +44,26 @@ struct RasterMesh {
 /// in float32, never less than their least z nor more than their greatest; their least throughout
 /// where float32 finds no plane, because the area rounds to zero or a coefficient is 2^100 or more.
 /// A triangle with a z that is a NaN or an infinity leaves depths as they are.
+///
+/// The last three are of pixels' squares in place of their centres, and of the mesh as a whole; for
+/// every instruction set the same code draws them. A triangle without area meets no square.
+/// - kInnerMask never covers too much, and common edges take nothing from it: set are pixels whose
+///   centre is covered and whose square no edge of the outline meets. The outline is what is left
+///   of all triangles' edges, each triangle counter-clockwise on screen, after pairs of opposite
+///   edges are taken away; vertices are one where x and y are equal. A back face counts as a front
+///   face does: give front faces alone if back faces should not add outlines.
+/// - kInnerDepths keeps the lesser of what is there and the greatest z, over the square, of the
+///   planes of all triangles that meet it (each at most its vertices'), rounded up: no point of the
+///   square lies farther. A z that is a NaN or an infinity leaves its squares as they are.
 enum class RasterOutput : std::uint8_t {
   kCounts,        ///< a byte: how many triangles cover the pixel, 255 at most
   kFacingCounts,  ///< uint32, twice: front facing ones in `memory`, others in `back`
   kMask,          ///< a bit, pixel x at bit x & 7 of byte x >> 3: whether any does
   kIds,           ///< uint32: the last triangle that does; kNoTriangle
-  kDepths         ///< float32: the least z
+  kDepths,        ///< float32: the least z
+  kInnerMask,     ///< a bit: whether the mesh covers the whole of the pixel's open square
+  kOuterMask,     ///< a bit: whether any triangle meets the pixel's open square
+  kInnerDepths    ///< float32, of kInnerMask's pixels: the greatest z that the square may show
 };
 inline constexpr std::uint32_t kNoTriangle = 0xffffffff;
 
@@ -86,7 +100,8 @@ bool IsSupported(InstructionSet set);
 ///
 /// Vectors read and rewrite, unchanged, the bytes of memory between and after rows: no other thread
 /// may write there meanwhile. Allocates nothing if memory has RoomFor(target) bytes; otherwise the
-/// last rows are drawn elsewhere and copied, and the mesh is traversed twice.
+/// last rows are drawn elsewhere and copied, and the mesh is traversed twice. Outputs of squares
+/// allocate: a mask, the outline's edges and, for depths, 4 bytes a pixel.
 ///
 /// Error:      InputError, which names the argument and the remedy; nothing is drawn then.
 void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
@@ -99,6 +114,15 @@ void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
 void Rasterize(const RasterMesh& mesh, int width, int height,
                const std::function<void(const RasterSpan&)>& on_span,
                InstructionSet set = InstructionSet::kBest);
+
+/// Writes 1 for each triangle that covers no pixel centre of the target, 0 for each that does: what
+/// culling of small triangles may drop.
+///
+/// Domain:     a byte a triangle.
+/// Error:      as Rasterize.
+void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
+                        std::span<std::uint8_t> is_empty,
+                        InstructionSet set = InstructionSet::kBest);
 
 /// Bytes of memory (and of back) with which nothing is copied: the rows and some 7 more.
 ///

@@ -34,7 +34,10 @@ enum rasterproof_raster_output {
   RASTERPROOF_RASTER_FACING_COUNTS = 1, /* uint32_t: front in `memory`, others in `back` */
   RASTERPROOF_RASTER_MASK = 2,          /* a bit, pixel x at bit x & 7 of byte x >> 3 */
   RASTERPROOF_RASTER_IDS = 3,           /* uint32_t: the last triangle */
-  RASTERPROOF_RASTER_DEPTHS = 4         /* float: the least z, within the vertices' */
+  RASTERPROOF_RASTER_DEPTHS = 4,        /* float: the least z, within the vertices' */
+  RASTERPROOF_RASTER_INNER_MASK = 5,    /* a bit: the mesh covers all of the pixel's open square */
+  RASTERPROOF_RASTER_OUTER_MASK = 6,    /* a bit: a triangle meets the pixel's open square */
+  RASTERPROOF_RASTER_INNER_DEPTHS = 7   /* float: of INNER_MASK's pixels, the greatest z there */
 };
 #define RASTERPROOF_RASTER_NO_TRIANGLE 0xffffffffu
 
@@ -94,6 +97,11 @@ rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_m
                                                       int32_t width, int32_t height,
                                                       rasterproof_raster_on_span on_span,
                                                       void* state, uint32_t set);
+
+/* Writes 1 for each triangle that covers no pixel centre, 0 for each that does: a byte each. */
+rasterproof_raster_status rasterproof_raster_mark_empty(const rasterproof_raster_mesh* mesh,
+                                                        int32_t width, int32_t height,
+                                                        uint8_t* is_empty, uint32_t set);
 
 /* Bytes of memory (and of back) with which nothing is copied; 0 if the target is NULL. */
 size_t rasterproof_raster_room(const rasterproof_raster_target* target);

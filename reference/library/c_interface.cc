@@ -74,7 +74,7 @@ RasterMesh MeshOf(const rasterproof_raster_mesh* given) {
 
 RasterTarget TargetOf(const rasterproof_raster_target* given) {
   const rasterproof_raster_target& target = Required(given, "target");
-  if (target.output > RASTERPROOF_RASTER_DEPTHS) {
+  if (target.output > RASTERPROOF_RASTER_INNER_DEPTHS) {
     throw InputError("target.output", "there is no such output",
                      "give one of rasterproof_raster_output");
   }
@@ -128,6 +128,17 @@ rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_m
       if (on_span(state, &given) != 0) throw rasterproof::Stop();
     };
     rasterproof::Rasterize(rasterproof::MeshOf(mesh), width, height, call, rasterproof::SetOf(set));
+  });
+}
+
+rasterproof_raster_status rasterproof_raster_mark_empty(const rasterproof_raster_mesh* mesh,
+                                                        int32_t width, int32_t height,
+                                                        uint8_t* is_empty, uint32_t set) {
+  return rasterproof::Guarded([&] {
+    const rasterproof::RasterMesh given = rasterproof::MeshOf(mesh);
+    rasterproof::MarkEmptyTriangles(
+        given, width, height, rasterproof::SpanOf(is_empty, given.indices.size() / 3, "is_empty"),
+        rasterproof::SetOf(set));
   });
 }
 

@@ -19,6 +19,7 @@
 #include "core/own_precision.h"
 #include "reference/kernels/kernel.h"
 #include "reference/kernels/kernel_table.h"
+#include "reference/library/squares.h"
 
 namespace rasterproof {
 namespace {
@@ -37,14 +38,19 @@ kernels::Sink SinkOf(RasterOutput output) {
   return kSinks[static_cast<std::size_t>(output)];
 }
 
+bool IsMask(RasterOutput output) {
+  return output == RasterOutput::kMask || output == RasterOutput::kInnerMask ||
+         output == RasterOutput::kOuterMask;
+}
+
 // Of a pixel, of eight in a mask.
 std::size_t UnitOf(RasterOutput output) {
-  return output == RasterOutput::kCounts || output == RasterOutput::kMask ? 1 : sizeof(float);
+  return output == RasterOutput::kCounts || IsMask(output) ? 1 : sizeof(float);
 }
 
 std::size_t RowBytes(const RasterTarget& target) {
   const auto width = static_cast<std::size_t>(target.width);
-  return target.output == RasterOutput::kMask ? (width + 7) / 8 : width * UnitOf(target.output);
+  return IsMask(target.output) ? (width + 7) / 8 : width * UnitOf(target.output);
 }
 
 std::size_t BytesOfRows(const RasterTarget& target) {
@@ -105,7 +111,7 @@ bool Overlap(std::span<const std::byte> a, std::span<const std::byte> b) {
 }
 
 void RequireTarget(const RasterTarget& target) {
-  if (target.output > RasterOutput::kDepths) {
+  if (target.output > RasterOutput::kInnerDepths) {
     throw InputError("target.output", "there is no such output", "give one of RasterOutput");
   }
   RequireSize("target.", target.width, target.height);
@@ -270,6 +276,11 @@ void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSe
   RequireApart(mesh, target);
   RequireIndices(mesh);
   const kernels::Target simd = RequireSet(set);
+  const FloatEnvironment sane;
+  if (IsOfSquares(target.output)) {
+    DrawSquares(mesh, target, set);
+    return;
+  }
   const kernels::Sink sink = SinkOf(target.output);
 
   std::array<Plane, 2> both;
@@ -282,7 +293,6 @@ void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSe
     for (const Plane& plane : planes) last.emplace_back(target, plane, direct);
   }
 
-  const FloatEnvironment sane;
   kernels::KernelView view = ViewOf(mesh, target.width, direct);
   if (direct > 0) {
     for (std::size_t k = 0; k < planes.size(); ++k) view.planes[k] = planes[k].data();
@@ -315,13 +325,32 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
   kernels::DrawExactSpans(simd, view);
 }
 
+void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
+                        std::span<std::uint8_t> is_empty, InstructionSet set) {
+  if (is_empty.size() != mesh.indices.size() / 3) {
+    throw InputError("is_empty", Text(is_empty.size()) + " bytes", "give one for each triangle");
+  }
+  RequireSize("", width, height);
+  RequireMesh(mesh);
+  RequireIndices(mesh);
+  const kernels::Target simd = RequireSet(set);
+  std::ranges::fill(is_empty, std::uint8_t{1});
+  kernels::KernelView view = ViewOf(mesh, width, height);
+  view.on_span = [](const void* state, const kernels::KernelSpan& span) {
+    (*static_cast<const std::span<std::uint8_t>*>(state))[span.triangle] = 0;
+  };
+  view.state = &is_empty;
+  const FloatEnvironment sane;
+  kernels::DrawExactSpans(simd, view);
+}
+
 void Clear(const RasterTarget& target) {
   RequireTarget(target);
   std::array<Plane, 2> both;
   for (const Plane& plane : PlanesOf(target, both)) {
     for (int y = 0; y < target.height; ++y) {
       std::byte* const row = plane.data() + static_cast<std::size_t>(y) * target.pitch;
-      if (target.output == RasterOutput::kDepths) {
+      if (target.output == RasterOutput::kDepths || target.output == RasterOutput::kInnerDepths) {
         std::fill_n(reinterpret_cast<float*>(row), target.width,
                     std::numeric_limits<float>::infinity());
       } else {

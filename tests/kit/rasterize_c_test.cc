@@ -34,7 +34,7 @@ TEST(RasterizeInC, RefusesBadInputByNameAndDrawsNothing) {
       {"mesh.indices: null", [](auto& mesh, auto&) { mesh.indices = nullptr; }},
       {"mesh.triangle_count: too", [](auto& mesh, auto&) { mesh.triangle_count = SIZE_MAX / 3; }},
       {"mesh.indices[0]: 0, and", [](auto& mesh, auto&) { mesh.vertex_count = 0; }},
-      {"target.output: there is no", [](auto&, auto& target) { target.output = 7; }},
+      {"target.output: there is no", [](auto&, auto& target) { target.output = 8; }},
       {"target.output: there is no",  // 258 is no byte
        [](auto&, auto& target) { target.output = 258; }},
       {"target.width: -5 pixels", [](auto&, auto& target) { target.width = -5; }},

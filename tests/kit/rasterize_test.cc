@@ -365,7 +365,7 @@ std::vector<BadCall> BadCalls() {
          mesh.indices = {std::bit_cast<const std::uint32_t*>(target.back.data()), 3};
        }},
       {"target.output: there is no such output; give",
-       [](auto&, auto& target) { target.output = static_cast<RasterOutput>(5); }},
+       [](auto&, auto& target) { target.output = static_cast<RasterOutput>(8); }},
       {"target.width: 0 pixels; give 1 to 65536", [](auto&, auto& target) { target.width = 0; }},
       {"target.width: 65537 pixels; give 1", [](auto&, auto& target) { target.width = 65537; }},
       {"target.height: -1 pixels; give 1", [](auto&, auto& target) { target.height = -1; }},

@@ -1,8 +1,13 @@
-// Occlusion culling with a bit a pixel: draw what hides, then ask which boxes are seen.
+// Occlusion culling with a bit a pixel: draw what hides, then ask which boxes may be seen.
 //
-// The wall is closed, and its mesh is a hard one: slanted slivers a tenth of a pixel wide. Exact
-// coverage leaves no gap between them, so no box behind the wall is drawn for nothing. Float32 edge
-// functions, each triangle by itself, leave cracks.
+// The wall is a hard mesh: slanted slivers a tenth of a pixel wide, and sides that cut through
+// pixels. Three ways to draw it, each with its mistake or without:
+// - float32 edge functions at pixels' centres, each triangle by itself, leave cracks, so that boxes
+//   behind the wall are drawn for nothing;
+// - exact coverage of centres leaves none, but a pixel whose centre is covered may be open at its
+//   sides: boxes that peek out beside the wall are culled, and pop;
+// - inner coverage sets the pixels that the wall as a whole covers to their last point, whatever
+//   its inner edges: no box is culled that can be seen.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -12,23 +17,25 @@
 
 constexpr int kWidth = 1920;
 constexpr int kHeight = 1080;
-constexpr int kWallLeft = 320, kWallRight = 1600, kWallTop = 180, kWallBottom = 900;
-constexpr int kBox = 4;  // pixels a side
+constexpr float kWallLeft = 320.25F, kWallWidth = 1280.5F, kWallTop = 180.375F;
+constexpr float kWallBottom = 899.625F, kLean = 40;   // its foot is further to the right
+constexpr float kBox = 4;                             // pixels a side
+constexpr float kBoxLeft = 0.375F, kBoxTop = 0.125F;  // of the first
 
 struct Mesh {
   std::vector<float> positions;
   std::vector<std::uint32_t> indices;
 };
 
-// Slivers from the wall's upper side to its lower one, leaning by up to 40 pixels.
+// Slivers from the wall's upper side to its lower one.
 Mesh Wall(int slivers) {
   Mesh mesh;
   for (int i = 0; i <= slivers; ++i) {
     const float part = static_cast<float>(i) / static_cast<float>(slivers);
-    const float width = kWallRight - kWallLeft;
-    const float foot = part + 0.125F * part * (1 - part);
-    mesh.positions.insert(mesh.positions.end(), {kWallLeft + width * part, kWallTop, 0});
-    mesh.positions.insert(mesh.positions.end(), {kWallLeft + width * foot, kWallBottom, 0});
+    const float foot = part + 0.03125F * part * (1 - part);
+    mesh.positions.insert(mesh.positions.end(), {kWallLeft + kWallWidth * part, kWallTop, 0});
+    mesh.positions.insert(mesh.positions.end(),
+                          {kWallLeft + kLean + kWallWidth * foot, kWallBottom, 0});
     if (i == slivers) break;
     const auto v = static_cast<std::uint32_t>(2 * i);
     mesh.indices.insert(mesh.indices.end(), {v, v + 1, v + 2, v + 1, v + 3, v + 2});
@@ -52,14 +59,34 @@ struct Mask {
   }
 };
 
-// Whether any pixel of the box's rectangle is open. All boxes lie behind the wall.
-bool IsSeen(const Mask& mask, int left, int top) {
-  for (int y = top; y < top + kBox; ++y) {
-    for (int x = left; x < left + kBox; ++x) {
-      if (!mask.IsSet(x, y)) return true;
+// A box's rectangle. All boxes lie behind the wall.
+struct Box {
+  float left, top;
+
+  float right() const { return left + kBox; }
+  float bottom() const { return top + kBox; }
+};
+
+// Whether every pixel that the box meets is set: of its rectangle, the whole pixels around it.
+bool IsHidden(const Mask& mask, const Box& box) {
+  for (int y = static_cast<int>(box.top); static_cast<float>(y) < box.bottom(); ++y) {
+    for (int x = static_cast<int>(box.left); static_cast<float>(x) < box.right(); ++x) {
+      if (!mask.IsSet(x, y)) return false;
     }
   }
-  return false;
+  return true;
+}
+
+// Whether the box lies behind the wall as a whole: doubles hold these products exactly.
+bool IsBehindTheWall(const Box& box) {
+  if (box.top < kWallTop || box.bottom() > kWallBottom) return false;
+  const auto height = double{kWallBottom} - double{kWallTop};
+  // How far a corner lies right of the line from (x, top) to (x + lean, bottom), times height.
+  const auto beyond = [&](float x, float y, float from) {
+    return (double{x} - from) * height - (double{y} - kWallTop) * kLean;
+  };
+  return beyond(box.left, box.bottom(), kWallLeft) >= 0 &&
+         beyond(box.right(), box.top, kWallLeft + kWallWidth) <= 0;
 }
 
 // What many rasterizers do: float32 edge functions with the top-left rule, a triangle at a time.
@@ -72,7 +99,7 @@ void DrawInFloat32(const Mesh& mesh, Mask& mask) {
       least = p[0] < least ? p[0] : least;
       most = p[0] > most ? p[0] : most;
     }
-    for (int y = kWallTop; y < kWallBottom; ++y) {
+    for (int y = static_cast<int>(kWallTop); y < static_cast<int>(kWallBottom) + 1; ++y) {
       for (int x = static_cast<int>(least); x <= static_cast<int>(most); ++x) {
         const float px = static_cast<float>(x) + 0.5F, py = static_cast<float>(y) + 0.5F;
         bool inside = true;
@@ -87,42 +114,43 @@ void DrawInFloat32(const Mesh& mesh, Mask& mask) {
   }
 }
 
-struct Seen {
-  int in_all = 0;
-  int behind_the_wall = 0;
+struct Tally {
+  int behind = 0;  // the wall as a whole
+  int culled = 0;
+  int culled_and_seen = 0;
 };
-Seen CountSeen(const Mask& mask) {
-  Seen seen;
-  for (int top = 0; top < kHeight; top += kBox) {
-    for (int left = 0; left < kWidth; left += kBox) {
-      if (!IsSeen(mask, left, top)) continue;
-      ++seen.in_all;
-      seen.behind_the_wall +=
-          left >= kWallLeft && left < kWallRight && top >= kWallTop && top < kWallBottom;
+Tally Cull(const char* name, const Mask& mask) {
+  Tally tally;
+  for (Box box{kBoxLeft, kBoxTop}; box.bottom() <= kHeight; box.top += kBox) {
+    for (box.left = kBoxLeft; box.right() <= kWidth; box.left += kBox) {
+      const bool is_behind = IsBehindTheWall(box), is_hidden = IsHidden(mask, box);
+      tally.behind += is_behind;
+      tally.culled += is_hidden;
+      tally.culled_and_seen += is_hidden && !is_behind;
     }
   }
-  return seen;
+  std::printf("%-8s culls %d of %d boxes behind the wall, and %d that can be seen\n", name,
+              tally.culled - tally.culled_and_seen, tally.behind, tally.culled_and_seen);
+  return tally;
+}
+
+Mask Drawn(const Mesh& mesh, rasterproof::RasterOutput output) {
+  Mask mask;
+  rasterproof::Rasterize({.positions = mesh.positions, .indices = mesh.indices},
+                         {.output = output,
+                          .width = kWidth,
+                          .height = kHeight,
+                          .pitch = Mask::kPitch,
+                          .memory = mask.bits});
+  return mask;
 }
 
 int main() {
   const Mesh wall = Wall(12800);
-  Mask exact;
-  rasterproof::Rasterize({.positions = wall.positions, .indices = wall.indices},
-                         {.output = rasterproof::RasterOutput::kMask,
-                          .width = kWidth,
-                          .height = kHeight,
-                          .pitch = Mask::kPitch,
-                          .memory = exact.bits});
-  const Seen seen = CountSeen(exact);
-  std::printf("wall: %zu slivers; boxes: %d\n", wall.indices.size() / 3,
-              kWidth / kBox * (kHeight / kBox));
-  std::printf("exact: %d boxes seen, %d of them through the wall\n", seen.in_all,
-              seen.behind_the_wall);
-
   Mask rounded;
   DrawInFloat32(wall, rounded);
-  const Seen leaked = CountSeen(rounded);
-  std::printf("float32: %d boxes seen, %d of them through the wall\n", leaked.in_all,
-              leaked.behind_the_wall);
-  return seen.behind_the_wall == 0 ? 0 : 1;
+  Cull("float32", rounded);
+  Cull("centres", Drawn(wall, rasterproof::RasterOutput::kMask));
+  const Tally inner = Cull("inner", Drawn(wall, rasterproof::RasterOutput::kInnerMask));
+  return inner.culled > 0 && inner.culled_and_seen == 0 ? 0 : 1;
 }

@@ -20,6 +20,8 @@ namespace rasterproof::reference {
 /// extremes lie at the box's corners). A row steps at most one pixel past the box.
 ///   int64, s = 8: W = 2 * 2^22 + 1: W 2^8 = 2147483904 <= 3037000499 = floor(sqrt(2^63 - 1)).
 ///   int32, s = 4: W = 2 * 1440 + 1: W 2^4 = 46096 <= 46340 = floor(sqrt(2^31 - 1)).
+/// These sources themselves, run on ranges: tests/reference/integer_ranges_test.cc. They would hold
+/// up to 5931641.3 and 1447.8 pixels.
 template <class I>
 inline constexpr double kIntegerCoordinateLimit = 0;
 template <>
@@ -34,7 +36,7 @@ class IntegerForm {
   using Scalar = I;
   using Point = PointOf<I>;
   static constexpr Snap kSnap{kBits, SnapRule::kNearestEven};
-  static constexpr I kOne = I{1} << kBits;  ///< one pixel
+  static constexpr int kOne = 1 << kBits;  ///< one pixel
 
   IntegerForm(Point a, Point b, bool reversed)
       : x_(a.x),

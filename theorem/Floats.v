@@ -292,3 +292,11 @@ Proof.
   rewrite E in F. unfold value, on in F. cbn [bpow Z.opp Z.add] in F. rewrite Rmult_1_r in F.
   revert F. apply odd_not_in_format; [exact _|vm_compute; reflexivity|vm_compute; reflexivity].
 Qed.
+
+(** A walk that satisfies what they assume. *)
+Example a_walk_is_a_case :
+  let a := Point 0 0 in let b := Point 8 3 in let p := Point 1 1 in
+  let l := [Along_x 2; Along_y 3; Along_x (-1)] in
+  in_box 4096 origin a /\ in_box 4096 origin b /\ passes 4096 origin p l
+  /\ edge a b (walk p (map move l)) = 26.
+Proof. unfold passes, in_box, walk, edge; cbn. lia. Qed.

@@ -6,6 +6,7 @@
 //
 // Range: |coordinates| <= 2^22 (kFixedRange px), so |A|, |B| <= 2^23 and |E| < 2 * 2^25 * 2^23
 // = 2^49 at a pixel of a target of 65536 px: exact in double. |floor(E / 256)| <= 2^41.
+// Proof: reference/proofs/fixed_tiles.g, which has the integers of a tile, too.
 #ifndef RASTERPROOF_REFERENCE_KERNELS_FIXED_TILES_H_
 #define RASTERPROOF_REFERENCE_KERNELS_FIXED_TILES_H_
 

@@ -3,6 +3,7 @@
 #define RASTERPROOF_TESTS_SHARE_H_
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace rasterproof {
 
@@ -28,6 +29,9 @@ template <class Integer>
 constexpr Integer Cases(Integer full) {
   return std::max<Integer>(full / kOneCaseIn, 1);
 }
+
+/// Returns whether scripts/test_more runs the test: then nothing is left out.
+inline bool RunsMore() { return std::getenv("RASTERPROOF_MORE") != nullptr; }
 
 }  // namespace rasterproof
 

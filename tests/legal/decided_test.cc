@@ -12,6 +12,7 @@
 #include "core/scene.h"
 #include "core/tie_rule.h"
 #include "tests/legal/all_models.h"
+#include "tests/share.h"
 
 namespace rasterproof::legal {
 namespace {
@@ -81,7 +82,7 @@ TEST(DecidedSamples, AreTheCountsOfASearchThroughAllModels) {
   Draws draws(11);
   int decided = 0;
   int open = 0;
-  for (int n = 0; n < 260; ++n) {
+  for (int n = 0; n < Cases(260); ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
     if (!IsJudgedAlike(scene, profile)) continue;
@@ -93,8 +94,8 @@ TEST(DecidedSamples, AreTheCountsOfASearchThroughAllModels) {
       ++(samples.IsDecided(s) ? decided : open);
     }
   }
-  EXPECT_GT(decided, 300);
-  EXPECT_GT(open, 300);
+  EXPECT_GT(decided, Cases(300));
+  EXPECT_GT(open, Cases(300));
 }
 
 }  // namespace

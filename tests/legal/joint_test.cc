@@ -18,6 +18,7 @@
 #include "exact/coverage.h"
 #include "legal/decided.h"
 #include "tests/legal/all_models.h"
+#include "tests/share.h"
 
 namespace rasterproof::legal {
 namespace {
@@ -147,7 +148,7 @@ CoverageCounts OnTheirSides(const Drawn& drawn, const Decided& decided) {
 TEST(JointVerdict, SidesOfALegalDrawingAreLegalAndOneTurnedIsNot) {
   Draws draws(12);
   int turned = 0;
-  for (int n = 0; n < 600; ++n) {
+  for (int n = 0; n < Cases(600); ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
     if (!IsJudgedAlike(scene, profile)) continue;
@@ -180,7 +181,7 @@ TEST(JointVerdict, SidesOfALegalDrawingAreLegalAndOneTurnedIsNot) {
     ASSERT_EQ(JudgeJointly(scene, target, observed).legality, Legality::kLegal) << n;
     ++turned;
   }
-  EXPECT_GT(turned, 10);
+  EXPECT_GE(turned, Cases(10));
 }
 
 // Legal places of its vertex turn this triangle over; the other leaves the target.
@@ -280,7 +281,7 @@ TEST(JointVerdict, NothingIsSaidBeyondTheCoordinateLimit) {
 TEST(JointVerdict, ConvictsWhatEverySampleByItselfAcquits) {
   Draws draws(20261123);
   int convicted = 0;
-  for (int n = 0; n < 3000; ++n) {
+  for (int n = 0; n < Cases(3000); ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
     if (!IsJudgedAlike(scene, profile)) continue;
@@ -294,7 +295,7 @@ TEST(JointVerdict, ConvictsWhatEverySampleByItselfAcquits) {
     convicted +=
         JudgeJointly(scene, {profile, scene}, observed).legality == Legality::kNotLegal ? 1 : 0;
   }
-  EXPECT_GT(convicted, 20);
+  EXPECT_GT(convicted, Cases(20));
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "reference/exact_sign.h"
 #include "tests/reference/random_values.h"
 #include "tests/reference/scenes.h"
+#include "tests/share.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -55,7 +56,7 @@ TEST(WalkTest, TheDriftShowsInCoverageAndTheIndexFormHasNone) {
 // Where all arithmetic is exact, every walk in every direction arrives where a fresh value does.
 TEST(WalkTest, WalksOfSmallLatticeScenesEqualFreshValuesInAllEightDirections) {
   RandomValues random(31);
-  for (int n = 0; n < 200; ++n) {
+  for (int n = 0; n < Cases(200); ++n) {
     const auto point = [&] {
       return Point2{random.Integer(0, 64) * 0.5, random.Integer(0, 64) * 0.5};
     };

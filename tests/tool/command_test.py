@@ -329,7 +329,7 @@ class VerdictTest(TemporaryFolder):
         result = run(*against, "textbook")
         self.assertEqual(result.returncode, 1)
         self.assertIn(b"unexpected", result.stdout)
-        self.assertEqual(run("check", ties, "--subject", "textbook").returncode, 1)
+        self.assertEqual(run("check", ties, "--subject", "textbook", "--no-cause").returncode, 1)
         self.assertEqual(run("check", ties, "--subject", "spans-exact").returncode, 0)
 
     def test_a_violation_names_its_replay_and_the_replay_fails_again(self):
@@ -343,7 +343,8 @@ class VerdictTest(TemporaryFolder):
 
     def test_saved_counterexamples_are_small_and_fail_again(self):
         saved = os.path.join(self.folder.name, "cases")
-        run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--save", saved)
+        run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--save", saved,
+            "--no-cause")  # fmt: skip
         (name,) = os.listdir(saved)
         path = os.path.join(saved, name)
         with open(path) as file:
@@ -367,7 +368,7 @@ class VerdictTest(TemporaryFolder):
         self.assertEqual(len(result.stdout.decode().splitlines()), 2)
 
     def test_a_check_ends_with_its_counts_and_a_line_for_each_reason_not_to_ask(self):
-        result = run("check", "--subject", "f32-direct", "--cases", "1", "--verbose")
+        result = run("check", "--subject", "f32-direct", "--cases", "1", "--verbose", "--no-cause")
         lines = result.stdout.decode().splitlines()
         named = [l for l in lines if l.startswith("not applicable")]
         (fragments,) = (l for l in named if "the subject shows no fragments: " in l)
@@ -378,7 +379,7 @@ class VerdictTest(TemporaryFolder):
 
     def test_each_scene_says_for_itself_what_was_not_asked(self):
         scenes = [os.path.join(SOURCES, "scenes", name) for name in ("ties.json", "fan.json")]
-        done = run("check", *scenes, "--subject", "f32-direct", "--verbose")
+        done = run("check", *scenes, "--subject", "f32-direct", "--verbose", "--no-cause")
         lines = done.stdout.decode().splitlines()
         printed = [l for l in lines if "the subject shows no fragments: " in l]
         self.assertEqual(len(printed), 2, lines)
@@ -387,11 +388,12 @@ class VerdictTest(TemporaryFolder):
             self.assertEqual(line.count("FragmentBarycentricsSumToOne"), 1)
 
     def test_a_drawn_case_is_checked_by_its_name(self):
-        found = run("check", "--subject", "textbook", "--property", SHARED_EDGE)
+        chosen = ("--subject", "textbook", "--property", SHARED_EDGE, "--no-cause")
+        found = run("check", *chosen)
         line = next(l for l in found.stdout.decode().splitlines() if l.startswith("shrunk from "))
         name = line.split()[2]
         self.assertRegex(name, "^[a-z0-9-]+:[0-9]+@1$")
-        again = run("check", "--subject", "textbook", "--property", SHARED_EDGE, "--case", name)
+        again = run("check", *chosen, "--case", name)
         self.assertEqual(again.returncode, 1, again.stderr)
         text = again.stdout.decode()
         self.assertRegex(text, f"(?m)^violated +textbook +{SHARED_EDGE} +{name}: exercised ")

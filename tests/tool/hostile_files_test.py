@@ -193,7 +193,8 @@ class HostileFilesTest(unittest.TestCase):
                 ("legal", named, "--subject", "textbook", "--profile", profile),
                 ("legal", named, "--decided", "--profile", profile),
                 ("check", named, "--subject", "textbook", "--profile", profile),
-                ("check", "--subject", "textbook", "--profile", profile, "--cases", "2"),
+                ("check", "--subject", "textbook", "--profile", profile, "--cases", "2",
+                 "--no-cause"),
                 ("certify", "--subject", "textbook", "--cases", "1", "--scenes", scenes, "--out",
                  self.path("out"))]:
             result = self.run_bounded(*arguments)

@@ -197,4 +197,4 @@ class SavedCoreTest(LegalCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=0)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=0)

@@ -1,6 +1,6 @@
 """decided and legal: what a specification leaves open, and whether one model explains an image.
 
-usage: legal_test.py PROGRAM SOURCES
+usage: legal_test.py PROGRAM SOURCES [TEST ...]
 """
 import json
 import os
@@ -369,4 +369,4 @@ class LegalTest(LegalCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1], verbosity=0)
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:], verbosity=0)

@@ -1,6 +1,6 @@
 """vectors generate and verify: the same bytes each time, and what convicts.
 
-usage: vectors_test.py PROGRAM SOURCES
+usage: vectors_test.py PROGRAM SOURCES [TEST ...]
 """
 import json
 import os
@@ -270,4 +270,4 @@ class VectorsTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])

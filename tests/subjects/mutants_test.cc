@@ -235,7 +235,8 @@ TEST(ConformanceBaseline, IsCountedOverAllMutants) {
       "find " + std::to_string(by_cts) + " and " + std::to_string(by_piglit) + ";";
   constexpr const char* kSay = "README.md and docs/selftest.md should say: ";
   EXPECT_NE(readme.find(of), std::string::npos) << kSay << of;
-  if (mutants == number) EXPECT_NE(readme.find(find), std::string::npos) << kSay << find;
+  if (mutants != number) return;
+  EXPECT_NE(readme.find(find), std::string::npos) << kSay << find;
 }
 
 }  // namespace

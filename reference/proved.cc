@@ -79,10 +79,13 @@ std::vector<Proof> FilterProofs() {
 }
 
 std::vector<Proof> CrossingProofs() {
-  return {{"a crossing guessed in double is off by less than the error beyond which it decides",
-           "row_crossing.g"},
-          {"a crossing guessed in float32 is off by less than the error beyond which it decides",
-           "kernel_crossing.g"}};
+  return {
+      {"a crossing guessed in double is off by less than the error beyond which it decides",
+       "row_crossing.g"},
+      {"a crossing guessed in float32 is off by less than the error beyond which it decides",
+       "kernel_crossing.g"},
+      {"a crossing stepped in fixed point is off by less than the error beyond which it decides",
+       "kernel_steps.g"}};
 }
 
 std::vector<Proof> HomogeneousProofs() {

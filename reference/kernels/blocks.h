@@ -49,27 +49,46 @@ struct Corners {
   V x[3], y[3], z[3];
 };
 
+#if HWY_TARGET != HWY_SCALAR
+/// x0, y0, x2, y2, ... of the vertices at vertex(0), vertex(2), ...
+template <class D, class VertexAt>
+HWY_INLINE hn::Vec<D> LoadEverySecond(D d, const VertexAt& vertex) {
+  if constexpr (kLanesOf<D> == 2) {
+    return hn::LoadU(d, vertex(0));
+  } else {
+    constexpr int kHalf = kLanesOf<D> / 2;
+    const hn::Half<D> half;
+    return hn::Combine(d, LoadEverySecond(half, [&](int i) { return vertex(kHalf + i); }),
+                       LoadEverySecond(half, vertex));
+  }
+}
+#endif
+
 /// The corners of the triangles whose indices begin at `indices`.
 ///
-/// Copied one by one and then loaded: gathering the same takes up to twice as long, since it keeps
-/// fewer cache misses under way.
+/// Loaded one by one: gathering the same takes up to twice as long, since it keeps fewer cache
+/// misses under way.
 template <bool kWithZ, class D>
 HWY_INLINE Corners<hn::Vec<D>> LoadCorners(D d, const float* vertices,
                                            const std::uint32_t* indices) {
   constexpr int kN = kLanesOf<D>;
-  alignas(64) float xy[3][2 * kN];
-  alignas(64) float z[3][kN];
-  for (int i = 0; i < kN; ++i) {
-    for (int k = 0; k < 3; ++k) {
-      const float* vertex = vertices + std::size_t{3} * indices[3 * i + k];
-      __builtin_memcpy(&xy[k][2 * i], vertex, 2 * sizeof(float));
-      if constexpr (kWithZ) z[k][i] = vertex[2];
-    }
-  }
   Corners<hn::Vec<D>> corners;
+  alignas(64) float z[3][kN];
   for (int k = 0; k < 3; ++k) {
-    hn::LoadInterleaved2(d, xy[k], corners.x[k], corners.y[k]);
-    if constexpr (kWithZ) corners.z[k] = hn::Load(d, z[k]);
+    const auto vertex = [&](int i) { return vertices + std::size_t{3} * indices[3 * i + k]; };
+#if HWY_TARGET == HWY_SCALAR
+    corners.x[k] = hn::Set(d, vertex(0)[0]);
+    corners.y[k] = hn::Set(d, vertex(0)[1]);
+#else
+    const auto even = LoadEverySecond(d, vertex);
+    const auto odd = LoadEverySecond(d, [&](int i) { return vertex(i + 1); });
+    corners.x[k] = hn::OddEven(hn::DupEven(odd), even);
+    corners.y[k] = hn::OddEven(odd, hn::DupOdd(even));
+#endif
+    if constexpr (kWithZ) {
+      for (int i = 0; i < kN; ++i) z[k][i] = vertex(i)[2];
+      corners.z[k] = hn::Load(d, z[k]);
+    }
   }
   return corners;
 }

@@ -25,6 +25,29 @@ HWY_INLINE VD DoublesFrom(double first) {
   return hn::Add(hn::Set(dd, first), hn::Load(dd, kFirstDoubles));
 }
 
+// Guesses in fixed point: of kSmallUnit a column.
+constexpr int kSmallBits = 16;  ///< kSmallUnit is 2^kSmallBits
+constexpr std::int32_t kSmallFraction = (1 << kSmallBits) - 1;
+
+/// Where the fraction of a guess is below what tells.
+HWY_INLINE hn::Mask<DI> HasOpenFraction(VI guess, float below) {
+  const DI di;
+  const VI fraction = hn::And(guess, hn::Set(di, kSmallFraction));
+  return hn::Lt(fraction, hn::Set(di, static_cast<std::int32_t>(below * kSmallUnit)));
+}
+
+/// Numbers with the lesser fraction of both; their columns are of no use.
+HWY_INLINE VI LesserFractions(VI a, VI b) {
+  const DI di;
+#if HWY_TARGET == HWY_SCALAR
+  const VI fraction = hn::Set(di, kSmallFraction);
+  return hn::Min(hn::And(a, fraction), hn::And(b, fraction));
+#else
+  const hn::Repartition<std::uint16_t, DI> halves;
+  return hn::BitCast(di, hn::Min(hn::BitCast(halves, a), hn::BitCast(halves, b)));
+#endif
+}
+
 /// u - v and what rounding took from it: their sum is exact.
 HWY_INLINE VD DifferenceError(VD u, VD v, VD difference) {
   const VD v_seen = hn::Sub(u, difference);

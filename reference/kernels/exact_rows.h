@@ -83,6 +83,19 @@ HWY_INLINE void Emit(Sink& sink, int width, int row, int rows, const std::int32_
   }
 }
 
+/// The same of the rows of one vector.
+template <class Sink>
+HWY_INLINE void EmitRows(Sink& sink, int width, int row, int rows, VI first, VI last) {
+  if constexpr (Sink::kTakesRows) {
+    if (sink.ShortRows(row, rows, first, last)) return;
+  }
+  const DI di;
+  alignas(64) std::int32_t from[kLanes], to[kLanes];
+  hn::Store(first, di, from);
+  hn::Store(last, di, to);
+  Emit(sink, width, row, rows, from, to);
+}
+
 /// Rows of a near triangle, kLanes at a time.
 template <bool kExact, class Sink>
 HWY_INLINE void DrawNearRows(const KernelView& view, const ExactBlock& block, int i,
@@ -102,7 +115,6 @@ HWY_INLINE void DrawNearRows(const KernelView& view, const ExactBlock& block, in
   const VI left = hn::Set(di, box.x0);
   bool has_begun = !Sink::kNeedsFacing;
   if (has_begun) sink.Begin(triangle, false, block.PlaneOf(i));
-  alignas(64) std::int32_t first[kLanes], last[kLanes];
   for (int row = box.y0; row < box.y1; row += kLanes) {
     const int rows = Least(kLanes, box.y1 - row);
     const VF centre = FloatsFrom(d, static_cast<float>(row - box.y0) + 0.5F);
@@ -136,9 +148,9 @@ HWY_INLINE void DrawNearRows(const KernelView& view, const ExactBlock& block, in
         has_begun = true;
       }
     }
-    hn::Store(hn::Add(hn::ConvertTo(di, hn::Min(long_column, short_column)), left), di, first);
-    hn::Store(hn::Add(hn::ConvertTo(di, hn::Max(long_column, short_column)), left), di, last);
-    Emit(sink, box.x1 - box.x0, row, rows, first, last);
+    EmitRows(sink, box.x1 - box.x0, row, rows,
+             hn::Add(Truncated(hn::Min(long_column, short_column)), left),
+             hn::Add(Truncated(hn::Max(long_column, short_column)), left));
   }
 }
 

@@ -56,51 +56,73 @@ inline HWY_NOINLINE VF ResolveSmall(const KernelView& view, const ExactBlock& bl
     const VD resolved = Resolve(view, load(columns + h), y, edges, MaskOf(dd, bits), [&](int lane) {
       const int i = from + lane;
       const bool is_upper = ((upper_bits >> (h + lane)) & 1) != 0;
-      ExactEdge edge = block.EdgeOf(is_long ? kLongEdge : is_upper ? kUpperEdge : kLowerEdge, i);
-      edge.left = block.x0[i];
-      edge.top = block.y0[i];
-      return edge;
+      const int e = is_long ? kLongEdge : is_upper ? kUpperEdge : kLowerEdge;
+      const int a = kStartOf[e];
+      const int c = kEndOf[e];
+      return ExactEdge{block.sx[a][i], block.sy[a][i], block.sx[c][i], block.sy[c][i], 0, 0};
     });
     hn::Store(hn::DemoteTo(df, resolved), df, columns + h);
   }
   return hn::Load(d, columns);
 }
 
-/// The edges of small triangles, one triangle a lane.
-struct SmallEdges {
-  VF from[2], y[3], slope[3];
-  hn::Mask<DF> small;
+HWY_INLINE void StoreMasks(const VI (&halves)[2], std::uint64_t* masks) {
+  const DI di;
+  alignas(64) std::int32_t low[kLanes], high[kLanes];
+  hn::Store(halves[0], di, low);
+  hn::Store(halves[1], di, high);
+  for (int i = 0; i < kLanes; ++i) {
+    masks[i] = std::uint64_t{static_cast<std::uint32_t>(low[i])} |
+               (std::uint64_t{static_cast<std::uint32_t>(high[i])} << 32);
+  }
+}
 
-  HWY_INLINE SmallEdges(const ExactBlock& block, int at) {
+/// The edges of small triangles, one triangle a lane: columns and slopes in units of kSmallUnit.
+/// Either short edge begins at the middle corner, the upper one upwards.
+struct SmallEdges {
+  VF top, middle;
+  VF from_top, from_middle;
+  VF upper, lower, whole;  ///< slopes
+  VF rows;
+
+  HWY_INLINE explicit SmallEdges(const ExactGroup& g) {
     const DF d;
-    const VF offset = hn::Set(d, 0.5F + kSmallCrossingError);
-    for (int k = 0; k < 2; ++k) from[k] = hn::Add(hn::Load(d, block.sx[k] + at), offset);
+    const VF unit = hn::Set(d, kSmallUnit);
+    const VF left = hn::Mul(g.x0, unit);
+    const VF offset = hn::Set(d, (0.5F + kSmallCrossingError) * kSmallUnit);
+    VF x[3], y[3];
     for (int k = 0; k < 3; ++k) {
-      y[k] = hn::Load(d, block.sy[k] + at);
-      slope[k] = hn::Load(d, block.slope[k] + at);
+      x[k] = hn::MulSub(g.c.x[k], unit, left);
+      y[k] = hn::Sub(g.c.y[k], g.y0);
     }
-    small = MaskOf(d, block.small >> at);
+    top = y[0];
+    middle = y[1];
+    from_top = hn::Add(x[0], offset);
+    from_middle = hn::Add(x[1], offset);
+    upper = hn::Div(hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]));
+    lower = hn::Div(hn::Sub(x[2], x[1]), hn::Sub(y[2], y[1]));
+    whole = hn::Div(hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]));
+    rows = hn::Sub(g.y1, g.y0);
   }
 };
 
-/// One row of them: guesses, and the columns that they round down to, 0 where there is no such row.
+/// One row of them: guesses in fixed point. Where a triangle has no such row, its last one again.
 struct SmallRow {
-  VF centre;
-  hn::Mask<DF> covered, upper;
-  VF by_long, by_short;
-  VF long_column, short_column;
+  hn::Mask<DI> covered;
+  VF below_top, below_middle;
+  VI by_long, by_short;
 
   HWY_INLINE SmallRow(const SmallEdges& e, int row) {
     const DF d;
-    centre = hn::Set(d, static_cast<float>(row) + 0.5F);
-    covered = hn::And(e.small, hn::And(hn::Ge(centre, e.y[0]), hn::Lt(centre, e.y[2])));
-    upper = hn::Lt(centre, e.y[1]);
-    by_long = hn::MulAdd(hn::Sub(centre, e.y[0]), e.slope[kLongEdge], e.from[0]);
-    by_short = hn::MulAdd(hn::Sub(centre, hn::IfThenElse(upper, e.y[0], e.y[1])),
-                          hn::IfThenElse(upper, e.slope[kUpperEdge], e.slope[kLowerEdge]),
-                          hn::IfThenElse(upper, e.from[0], e.from[1]));
-    long_column = hn::IfThenElseZero(covered, hn::Floor(by_long));
-    short_column = hn::IfThenElseZero(covered, hn::Floor(by_short));
+    const VF half = hn::Set(d, 0.5F);
+    const VF first = hn::Set(d, static_cast<float>(row));
+    covered = hn::RebindMask(DI(), hn::Gt(e.rows, first));
+    const VF centre = hn::Min(hn::Add(first, half), hn::Sub(e.rows, half));
+    below_top = hn::Sub(centre, e.top);
+    below_middle = hn::Sub(centre, e.middle);
+    const VF slope = hn::IfNegativeThenElse(below_middle, e.upper, e.lower);
+    by_long = Truncated(hn::MulAdd(below_top, e.whole, e.from_top));
+    by_short = Truncated(hn::MulAdd(below_middle, slope, e.from_middle));
   }
 };
 
@@ -110,123 +132,162 @@ class SmallTies {
   HWY_INLINE SmallTies(const KernelView& view, const ExactBlock& block, int at)
       : view_(view), block_(block), at_(at), on_grid_(OnGrid(block, at)) {
     const DF d;
-    for (int k = 0; k < 3; ++k) {
-      x_[k] = hn::Load(d, block.sx[k] + at);
-      y_[k] = hn::Load(d, block.sy[k] + at);
-    }
+    small_ = MaskOf(DI(), block.small >> at);
+    const auto load = [&](const float(*p)[kBlock], int k) { return hn::Load(d, p[k] + at); };
+    for (int k = 0; k < 2; ++k) x_[k] = load(block.sx, k);
     for (int e = 0; e < 3; ++e) {
-      dx_[e] = hn::Sub(x_[kEndOf[e]], x_[kStartOf[e]]);
-      dy_[e] = hn::Sub(y_[kEndOf[e]], y_[kStartOf[e]]);
+      dx_[e] = hn::Sub(load(block.sx, kEndOf[e]), load(block.sx, kStartOf[e]));
+      dy_[e] = hn::Sub(load(block.sy, kEndOf[e]), load(block.sy, kStartOf[e]));
     }
   }
 
-  /// Corrects the columns. Returns whether some guess did not tell.
+  /// Makes the columns of the guesses right. Returns whether some guess did not tell.
   HWY_INLINE bool Decide(int row, SmallRow& r) const {
     const DF d;
-    const VF uncertain = hn::Set(d, 2 * kSmallCrossingError);
-    const auto open = [&](VF guess, VF column) {
-      return hn::And(r.covered, hn::Lt(hn::Sub(guess, column), uncertain));
+    const auto open = [&](VI guess) {
+      return hn::RebindMask(
+          d, hn::And(hn::And(small_, r.covered), HasOpenFraction(guess, 2 * kSmallCrossingError)));
     };
-    const auto long_open = open(r.by_long, r.long_column);
-    const auto short_open = open(r.by_short, r.short_column);
-    const auto pick = [&](VF a, VF b) { return hn::IfThenElse(r.upper, a, b); };
-    r.long_column =
-        OnTheGrid(r, r.long_column, long_open, x_[0], y_[0], dx_[kLongEdge], dy_[kLongEdge]);
-    r.short_column =
-        OnTheGrid(r, r.short_column, short_open, pick(x_[0], x_[1]), pick(y_[0], y_[1]),
-                  pick(dx_[kUpperEdge], dx_[kLowerEdge]), pick(dy_[kUpperEdge], dy_[kLowerEdge]));
-    const auto long_left = hn::AndNot(on_grid_, long_open);
-    const auto short_left = hn::AndNot(on_grid_, short_open);
-    if (HWY_UNLIKELY(MaskBits(d, hn::Or(long_left, short_left)) != 0)) {
-      r.long_column =
-          ResolveSmall(view_, block_, at_, row, r.long_column, long_left, r.upper, true);
-      r.short_column =
-          ResolveSmall(view_, block_, at_, row, r.short_column, short_left, r.upper, false);
+    const auto long_open = open(r.by_long);
+    const auto short_open = open(r.by_short);
+    const auto pick = [&](VF upper, VF lower) {
+      return hn::IfNegativeThenElse(r.below_middle, upper, lower);
+    };
+    MoveBack(long_open, IsRight(r.by_long, x_[0], dx_[kLongEdge], dy_[kLongEdge], r.below_top),
+             r.by_long);
+    MoveBack(short_open,
+             IsRight(r.by_short, x_[1], pick(dx_[kUpperEdge], dx_[kLowerEdge]),
+                     pick(dy_[kUpperEdge], dy_[kLowerEdge]), r.below_middle),
+             r.by_short);
+    const auto any_open = hn::Or(long_open, short_open);
+    if (HWY_UNLIKELY(MaskBits(d, hn::AndNot(on_grid_, any_open)) != 0)) {
+      const auto resolve = [&](VI& guess, hn::Mask<DF> is_open, bool is_long) {
+        const VF column = hn::ConvertTo(d, hn::ShiftRight<kSmallBits>(guess));
+        const VF resolved =
+            ResolveSmall(view_, block_, at_, row, column, hn::AndNot(on_grid_, is_open),
+                         hn::Lt(r.below_middle, hn::Zero(d)), is_long);
+        guess = hn::ShiftLeft<kSmallBits>(Truncated(resolved));
+      };
+      resolve(r.by_long, long_open, true);
+      resolve(r.by_short, short_open, false);
     }
-    return MaskBits(d, hn::Or(long_open, short_open)) != 0;
+    return MaskBits(d, any_open) != 0;
   }
 
  private:
-  /// Products of at most 24 bits: exact.
-  HWY_INLINE VF OnTheGrid(const SmallRow& r, VF column, hn::Mask<DF> open, VF x, VF y, VF dx,
-                          VF dy) const {
+  /// Whether the last centre before the guess is at or right of the edge through (x, centre -
+  /// below). Products of at most 24 bits: exact on the grid.
+  HWY_INLINE hn::Mask<DF> IsRight(VI guess, VF x, VF dx, VF dy, VF below) const {
     const DF d;
+    const VF column = hn::ConvertTo(d, hn::ShiftRight<kSmallBits>(guess));
     const VF a = hn::Sub(hn::Sub(column, hn::Set(d, 0.5F)), x);
-    const auto is_right = hn::Ge(hn::Mul(a, dy), hn::Mul(hn::Sub(r.centre, y), dx));
-    const auto before = hn::And(hn::And(open, on_grid_), is_right);
-    return hn::IfThenElse(before, hn::Sub(column, hn::Set(d, 1.0F)), column);
+    return hn::Ge(hn::Mul(a, dy), hn::Mul(below, dx));
+  }
+  /// By a column where the guess is open and the triangle on the grid.
+  HWY_INLINE void MoveBack(hn::Mask<DF> open, hn::Mask<DF> is_right, VI& guess) const {
+    const DI di;
+    const auto before = hn::RebindMask(di, hn::And(hn::And(open, on_grid_), is_right));
+    guess = hn::Sub(guess, hn::IfThenElseZero(before, hn::Set(di, 1 << kSmallBits)));
   }
 
   const KernelView& view_;
   const ExactBlock& block_;
   int at_;
   hn::Mask<DF> on_grid_;
-  VF x_[3], y_[3], dx_[3], dy_[3];
+  hn::Mask<DI> small_;
+  VF x_[2], dx_[3], dy_[3];
 };
 
-/// Rows of small triangles as bits of 8x8 masks, one triangle a lane.
-class MaskRows {
+/// The pixels of a row: bits of byte `row` of a half.
+HWY_INLINE VI BitsOfRow(int row, const SmallRow& r) {
+  const DI di;
+  const VI one = hn::Set(di, 1 << (8 * row));
+  const VI first = hn::ShiftRight<kSmallBits>(hn::Min(r.by_long, r.by_short));
+  const VI last = hn::ShiftRight<kSmallBits>(hn::Max(r.by_long, r.by_short));
+  // A crossing in the last half pixel may be guessed one column too far.
+  const VI byte = hn::Set(di, static_cast<std::int32_t>(0xffU << (8 * row)));
+  const VI bits = hn::And(hn::Sub(hn::Shl(one, last), hn::Shl(one, first)), byte);
+  return hn::IfThenElseZero(r.covered, bits);
+}
+
+/// The masks of small triangles of one group of lanes, found row by row; with kResolve rows that
+/// their guesses do not tell are decided.
+template <bool kExact, bool kResolve, bool kFacing>
+class SmallMasks {
  public:
-  HWY_INLINE void Add(int row, const SmallRow& r) {
-    const DI di;
-    const VI one = hn::Set(di, 1);
-    const VI first = hn::ConvertTo(di, hn::Min(r.long_column, r.short_column));
-    const VI last = hn::ConvertTo(di, hn::Max(r.long_column, r.short_column));
-    // A crossing in the last half pixel may be guessed one column too far.
-    const VI bits = hn::And(hn::Sub(hn::Shl(one, last), hn::Shl(one, first)), hn::Set(di, 0xff));
-    const int half = row >> 2;
-    halves_[half] = hn::Or(halves_[half], hn::ShiftLeftSame(bits, 8 * (row & 3)));
+  HWY_INLINE SmallMasks(const KernelView& view, const SmallEdges& edges, ExactBlock& block, int at)
+      : edges_(edges), ties_(view, block, at), block_(block), at_(at) {}
+
+  HWY_INLINE void Add(int row) {
+    SmallRow r(edges_, row);
+    if constexpr (kResolve) {
+      any_open_ |= ties_.Decide(row, r);
+    } else if constexpr (kExact) {
+      least_ = LesserFractions(least_, LesserFractions(r.by_long, r.by_short));
+    }
+    if constexpr (kFacing) {
+      const auto is_left =
+          hn::Lt(hn::ShiftRight<kSmallBits>(r.by_long), hn::ShiftRight<kSmallBits>(r.by_short));
+      long_is_left_ = hn::Or(long_is_left_, hn::And(r.covered, is_left));
+    }
+    VI& half = halves_[row >> 2];
+    half = hn::Or(half, BitsOfRow(row & 3, r));
   }
 
-  HWY_INLINE void Store(std::uint64_t* masks) const {
+  /// Whether some row was not told by its guess.
+  HWY_INLINE bool Store() const {
     const DI di;
-    alignas(64) std::int32_t low[kLanes], high[kLanes];
-    hn::Store(halves_[0], di, low);
-    hn::Store(halves_[1], di, high);
-    for (int i = 0; i < kLanes; ++i) {
-      masks[i] = std::uint64_t{static_cast<std::uint32_t>(low[i])} |
-                 (std::uint64_t{static_cast<std::uint32_t>(high[i])} << 32);
+    const std::uint64_t small = (block_.small >> at_) & ((std::uint64_t{1} << kLanes) - 1);
+    StoreMasks(halves_, block_.masks + at_);
+    if constexpr (kFacing) {
+      block_.long_is_left |= static_cast<std::uint32_t>(MaskBits(di, long_is_left_)) << at_;
     }
+    if constexpr (kResolve) return any_open_;
+    if constexpr (!kExact) return false;
+    return (MaskBits(di, HasOpenFraction(least_, 2 * kSmallCrossingError)) & small) != 0;
   }
 
  private:
+  const SmallEdges& edges_;
+  const SmallTies ties_;  // left out where nothing asks it
+  ExactBlock& block_;
+  int at_;
+  bool any_open_ = false;
+  VI least_ = hn::Set(DI(), kSmallFraction);  // fractions
   VI halves_[2] = {hn::Zero(DI()), hn::Zero(DI())};
+  hn::Mask<DI> long_is_left_ = hn::Lt(halves_[0], halves_[0]);
 };
 
 /// Fills in the masks of small triangles of one group of lanes. Returns whether some row was not
-/// told by its guess; with kResolve such rows are decided.
+/// told by its guess.
 template <bool kExact, bool kResolve, bool kFacing>
-HWY_NOINLINE bool FindExactMasks(const KernelView& view, ExactBlock& block, int at) {
+HWY_INLINE bool FindExactMasks(const KernelView& view, const SmallEdges& edges, ExactBlock& block,
+                               int at) {
   const DF d;
-  const SmallEdges edges(block, at);
-  const SmallTies ties(view, block, at);  // left out where nothing asks it
-  VF least = hn::Set(d, 1.0F);
-  bool any_open = false;
-  MaskRows masks;
-  auto long_is_left = hn::Lt(least, least);
-  for (int row = 0; row < block.height; ++row) {
-    SmallRow r(edges, row);
-    if constexpr (kResolve) {
-      any_open |= ties.Decide(row, r);
-    } else if constexpr (kExact) {
-      const VF fraction =
-          hn::Min(hn::Sub(r.by_long, r.long_column), hn::Sub(r.by_short, r.short_column));
-      least = hn::IfThenElse(r.covered, hn::Min(least, fraction), least);
-    }
-    if constexpr (kFacing) {
-      long_is_left =
-          hn::Or(long_is_left, hn::And(r.covered, hn::Lt(r.long_column, r.short_column)));
-    }
-    masks.Add(row, r);
+  const std::uint64_t small = (block.small >> at) & ((std::uint64_t{1} << kLanes) - 1);
+  const auto any_taller = [&](int rows) {
+    return (MaskBits(d, hn::Gt(edges.rows, hn::Set(d, static_cast<float>(rows)))) & small) != 0;
+  };
+  SmallMasks<kExact, kResolve, kFacing> masks(view, edges, block, at);
+  masks.Add(0);
+  masks.Add(1);
+  masks.Add(2);
+  masks.Add(3);
+  if (any_taller(4)) {
+    masks.Add(4);
+    masks.Add(5);
+    masks.Add(6);
+    masks.Add(7);
   }
-  masks.Store(block.masks + at);
-  if constexpr (kFacing) {
-    block.long_is_left |= static_cast<std::uint32_t>(MaskBits(d, long_is_left)) << at;
-  }
-  if constexpr (kExact && !kResolve) {
-    any_open = MaskBits(d, hn::Lt(least, hn::Set(d, 2 * kSmallCrossingError))) != 0;
-  }
-  return any_open;
+  return masks.Store();
+}
+
+/// The same where some row is not told by its guess.
+template <bool kFacing>
+HWY_NOINLINE bool ResolveMasks(const KernelView& view, const ExactGroup& g, const SmallEdges& edges,
+                               ExactBlock& block, int at) {
+  StoreRelative(g.c, g.x0, g.y0, at, block);
+  return FindExactMasks<true, true, kFacing>(view, edges, block, at);
 }
 
 }  // namespace rasterproof::reference::kernels::HWY_NAMESPACE

@@ -10,6 +10,7 @@
 #include "reference/kernels/exact_crossings.h"
 #include "reference/kernels/exact_rows.h"
 #include "reference/kernels/exact_small.h"
+#include "reference/kernels/exact_steps.h"
 #include "reference/kernels/kernel_table.h"
 #include "reference/kernels/vectors.h"
 
@@ -36,30 +37,70 @@ HWY_NOINLINE void DrawFar(const KernelView& view, const ExactBlock& block, int i
   }
 }
 
+/// Finds the masks of the small triangles of a group. has_ties: whether the last group had rows
+/// that their guesses did not tell; returns whether this one has.
+template <bool kExact, bool kFacing>
+HWY_INLINE bool SetUpSmall(const KernelView& view, const ExactGroup& g, bool has_ties, int at,
+                           ExactBlock& block) {
+  const DI di;
+  if (g.others == 0) {
+    hn::Store(Truncated(g.x0), di, block.x0 + at);
+    hn::Store(Truncated(g.y0), di, block.y0 + at);
+  }
+  const SmallEdges edges(g);
+  // Where there was a tie, there will be one: then rows are decided at once.
+  if (!has_ties) {
+    const std::uint32_t left = block.long_is_left;
+    const std::uint32_t drawn = block.drawn;
+    const bool is_open = FindExactMasks<kExact, false, kFacing>(view, edges, block, at);
+    if (!is_open) return false;
+    block.long_is_left = left;
+    block.drawn = drawn;
+  }
+  return ResolveMasks<kFacing>(view, g, edges, block, at);
+}
+
+/// Sets up a block and finds the masks of its small triangles. has_ties: whether the last group had
+/// rows that their guesses did not tell.
+template <bool kExact, class Sink>
+HWY_INLINE void SetUpExact(const KernelView& view, const std::uint32_t* indices, bool& has_ties,
+                           ExactBlock& block) {
+  constexpr bool kFacing = Sink::kNeedsFacing;
+  const DF d;
+  block.small = 0;
+  block.near = 0;
+  block.inside = 0;
+  block.odd = 0;
+  block.far = 0;
+  block.stepped = 0;
+  block.long_is_left = 0;
+  for (int at = 0; at < kBlock; at += kLanes) {
+    const auto corners = LoadCorners<Sink::kNeedsPlane>(d, view.vertices, indices + 3 * at);
+    std::uint32_t odd;
+    const ExactGroup g(view, corners, odd);
+    block.odd |= odd << at;
+    block.small |= g.small << at;
+    block.drawn |= g.small << at;
+    if (g.others != 0) SetUpOthers(view, corners, g, at, block);
+    if (g.small != 0) has_ties = SetUpSmall<kExact, kFacing>(view, g, has_ties, at, block);
+    if constexpr (Sink::kNeedsPlane) {
+      if (((block.drawn >> at) & ((std::uint64_t{1} << kLanes) - 1)) != 0) {
+        StorePlanes(d, corners, at, block);
+      }
+    }
+  }
+}
+
 template <bool kExact, class Sink>
 HWY_INLINE void DrawSpans(const KernelView& view) {
   Sink sink(view);
   ExactBlock block;
   bool has_ties = false;
+  const bool can_step = Greatest(view.width, view.height) <= static_cast<int>(kSteppedSide);
   ForEachTriangle(
       view, block,
       [&](const std::uint32_t* indices) {
-        SetUpExact<Sink::kNeedsPlane>(view, indices, block);
-        block.long_is_left = 0;
-        for (int at = 0; at < kBlock; at += kLanes) {
-          const std::uint64_t lanes = (std::uint64_t{1} << kLanes) - 1;
-          if (((block.small >> at) & lanes) == 0) continue;
-          constexpr bool kFacing = Sink::kNeedsFacing;
-          // Where there was a tie, there will be one: then rows are decided at once.
-          if (!has_ties) {
-            const std::uint32_t before = block.long_is_left;
-            has_ties = FindExactMasks<kExact, false, kFacing>(view, block, at);
-            if (!has_ties) continue;
-            block.long_is_left = before;
-          }
-          has_ties = FindExactMasks<kExact, kExact, kFacing>(view, block, at);
-        }
-        if ((block.drawn & ~block.near) != 0) SetUpSlopes(block);
+        SetUpExact<kExact, Sink>(view, indices, has_ties, block);
       },
       [&](int i, std::uint32_t triangle) {
         if (block.IsSmall(i)) {
@@ -72,7 +113,8 @@ HWY_INLINE void DrawSpans(const KernelView& view) {
           DrawNearRows<kExact>(view, block, i, triangle, sink);
         } else if (HWY_UNLIKELY(((block.far >> i) & 1) != 0)) {
           DrawFar(view, block, i, triangle, sink);
-        } else {
+        } else if (!(can_step && ((block.stepped >> i) & 1) != 0 &&
+                     DrawSteps<kExact>(view, block, i, triangle, sink))) {
           if (((block.inside >> i) & 1) != 0) {
             DrawExactRows<kExact, true>(view, block, i, triangle, sink);
           } else {

@@ -5,6 +5,8 @@
 //   ShortSpan<K>(row, x0, n)          the same, 0 <= n <= K of 16, 32 or 64, without a branch on n
 //   Mask8x8(x, y, bits)               bit 8 r + c is pixel (x + c, y + r)
 //   Row32(row, x, bits)               bit c is pixel (x + c, row)
+//   ShortRows(row, rows, first, last) if kTakesRows: pixels [first, last) of rows from `row` on,
+//                                     one a lane; false, with nothing drawn, if one is long
 //
 // Domain:     x and y of the target, covered pixels inside it. Vectors may read and rewrite, with
 //             what is there, up to 64 pixels of the row beyond x: Surface has room for that. So
@@ -29,6 +31,7 @@ class PixelSink {
   using T = typename Kind::T;
   static constexpr bool kNeedsPlane = Kind::kNeedsPlane;
   static constexpr bool kNeedsFacing = Kind::kNeedsFacing;
+  static constexpr bool kTakesRows = false;
 
   HWY_INLINE explicit PixelSink(const KernelView& view) : kind_(view), pitch_(view.pitch) {}
 
@@ -200,6 +203,7 @@ class MaskSink {
  public:
   static constexpr bool kNeedsPlane = false;
   static constexpr bool kNeedsFacing = false;
+  static constexpr bool kTakesRows = true;
 
   HWY_INLINE explicit MaskSink(const KernelView& view)
       : plane_(static_cast<std::uint8_t*>(view.planes[0])), pitch_(view.pitch) {}
@@ -235,6 +239,30 @@ class MaskSink {
       Or(line + (x0 >> 3), bits << shift);
       line[(x0 >> 3) + 8] |= static_cast<std::uint8_t>(bits >> 1 >> (63 - shift));
     }
+  }
+
+  HWY_INLINE bool ShortRows(int row, int rows, VI first, VI last) {
+    constexpr int kMost = 25;  // with up to 7 bits before them
+    const DI di;
+    const VI lane = hn::ConvertTo(di, FloatsFrom(DF(), 0));
+    const auto valid = hn::Lt(lane, hn::Set(di, rows));
+    const VI n = hn::IfThenElseZero(valid, hn::Sub(last, first));
+    if (MaskBits(di, hn::Gt(n, hn::Set(di, kMost))) != 0) return false;
+    const VI one = hn::Set(di, 1);
+    const VI bits = hn::Shl(hn::Sub(hn::Shl(one, n), one), hn::And(first, hn::Set(di, 7)));
+    const VI line = hn::Mul(lane, hn::Set(di, static_cast<std::int32_t>(pitch_)));
+    const VI bytes = hn::IfThenElseZero(valid, hn::Add(line, hn::ShiftRight<3>(first)));
+    alignas(64) std::int32_t at[kLanes], words[kLanes];
+    hn::Store(bytes, di, at);
+    hn::Store(bits, di, words);
+    std::uint8_t* p = plane_ + row * pitch_;
+    for (int r = 0; r < kLanes; ++r) {  // no branch for empty ones
+      std::uint32_t word;
+      __builtin_memcpy(&word, p + at[r], 4);
+      word |= static_cast<std::uint32_t>(words[r]);
+      __builtin_memcpy(p + at[r], &word, 4);
+    }
+    return true;
   }
 
   HWY_INLINE void Mask8x8(int x, int y, std::uint64_t bits) {

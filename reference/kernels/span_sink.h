@@ -15,6 +15,7 @@ class SpanSink {
  public:
   static constexpr bool kNeedsPlane = false;
   static constexpr bool kNeedsFacing = true;
+  static constexpr bool kTakesRows = false;
 
   HWY_INLINE explicit SpanSink(const KernelView& view)
       : on_span_(view.on_span), state_(view.state) {}

@@ -88,6 +88,21 @@ HWY_INLINE hn::Vec<D> Clamped(D d, hn::Vec<D> v, float least, float most) {
 #endif
 }
 
+/// v towards zero.
+///
+/// Domain:     |v| < 2^31; other lanes become any number.
+HWY_INLINE VI Truncated(VF v) {
+#if HWY_TARGET == HWY_AVX3
+  return VI{_mm512_cvttps_epi32(v.raw)};  // Highway's own looks for what is beyond
+#elif HWY_TARGET == HWY_AVX2
+  return VI{_mm256_cvttps_epi32(v.raw)};
+#elif HWY_TARGET == HWY_SSE4
+  return VI{_mm_cvttps_epi32(v.raw)};
+#else
+  return hn::ConvertTo(DI(), v);
+#endif
+}
+
 HWY_INLINE int CountTrailingZeros(std::uint64_t bits) { return __builtin_ctzll(bits); }
 template <class T>
 HWY_INLINE T Least(T a, T b) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -73,7 +74,41 @@ ErrorAndBound OfKernel(const Numbers& n, T error) {
                    (Rational(std::fma(down, slope, from)) - crossing).Abs()),
           Rational(error)};
 }
-ErrorAndBound OfSmall(const Numbers& n) { return OfKernel(n, kernels::kSmallCrossingError); }
+
+/// From either end, cut off to fixed point.
+ErrorAndBound OfSmall(const Numbers& n) {
+  constexpr float kError = kernels::kSmallCrossingError;
+  constexpr float kUnit = kernels::kSmallUnit;
+  const auto f = [&](std::size_t i) { return static_cast<float>(n[i]); };
+  const float slope = (f(2) * kUnit - f(0) * kUnit) / (f(3) - f(1));
+  const Rational crossing = CrossingOf(n, n[4]) + Rational(0.5) + kError;
+  Rational worst(0);
+  for (const std::size_t end : {0, 2}) {
+    const float from = f(end) * kUnit + (0.5F + kError) * kUnit;
+    const float down = f(4) - f(end + 1);
+    for (const float guess : {down * slope + from, std::fma(down, slope, from)}) {
+      const double cut = std::trunc(guess) / double{kUnit};
+      worst = std::max(worst, (Rational(cut) - crossing).Abs());
+    }
+  }
+  return {worst, Rational(kError)};
+}
+
+/// The first row of the edge is n[4], its crossing with the row n[6] is asked for, n[5] rows before
+/// which the vector begins.
+ErrorAndBound OfSteps(const Numbers& n) {
+  constexpr double kError = kernels::kStepError;
+  const double slope = (n[2] - n[0]) / (n[3] - n[1]);
+  const double first = (n[4] + 0.5 - n[1]) * slope + (n[0] + (0.5 + kError));
+  const auto fixed = [](double v) { return static_cast<std::int64_t>(v * 0x1p32); };
+  const auto lane = static_cast<std::int64_t>(n[5]);
+  const std::int64_t start =
+      fixed(first) + (static_cast<std::int64_t>(n[6] - n[4]) - lane) * fixed(slope);
+  const std::int64_t guess = (start >> 16) + ((lane * fixed(slope)) >> 16);
+  const Rational crossing = CrossingOf(n, n[6] + 0.5) + Rational(0.5) + kError;
+  return {(Rational(std::ldexp(static_cast<double>(guess), -16)) - crossing).Abs(),
+          Rational(kError)};
+}
 ErrorAndBound OfNear(const Numbers& n) { return OfKernel(n, kernels::kNearCrossingError); }
 ErrorAndBound OfWide(const Numbers& n) { return OfKernel(n, kernels::kCrossingError); }
 
@@ -86,6 +121,7 @@ ErrorAndBound OfPlan(const Numbers& n) {
 
 constexpr std::string_view kRow = "upper.x upper.y lower.x lower.y row";
 constexpr std::string_view kEdgeAndY = "upper.x upper.y lower.x lower.y y";
+constexpr std::string_view kSteps = "upper.x upper.y lower.x lower.y first-row lane row";
 constexpr std::string_view kClipAndY = "Vi.x Vi.y Vi.w Vj.x Vj.y Vj.w y";
 
 }  // namespace
@@ -120,8 +156,8 @@ const std::vector<BoundWitness>& CrossingWitnesses() {
        "kSmallCrossingError",
        true,
        kEdgeAndY,
-       {-0x1.4441ap-2, 0x1.f656fp-2, 0x1.0e296p+3, 0x1.21d7aep+2, 0x1.2p+2},
-       "climbed from a construction, seed 13, 2026-11-25",
+       {0x1.2d0f18p-1, -0x1.5370eap-10, 0x1.e32b02p+2, 0x1.7d8758p+1, 0x1p-1},
+       "drawn, 2026-11-26",
        OfSmall},
       {"crossing, of its near ones",
        "kNearCrossingError",
@@ -130,6 +166,13 @@ const std::vector<BoundWitness>& CrossingWitnesses() {
        {0x1.ff7d26p+5, 0x1.b01b7cp+2, -0x1.be18p-4, 0x1.a8330ap+4, 0x1.a8p+4},
        "climbed from a construction, seed 4, 2026-11-25",
        OfNear},
+      {"crossing, of its wide ones, in steps",
+       "kStepError",
+       true,
+       kSteps,
+       {0x1.1e2cbcp+13, 0x1.509ab6p-5, 0x1.c4d3a6p+13, 0x1.fd24bp+13, 0, 5, 0x1.f13p+13},
+       "drawn, 2026-11-26",
+       OfSteps},
       {"crossing, of its wide ones, in double",
        "kernels::kCrossingError",
        true,

@@ -54,6 +54,33 @@ TEST(KernelsTest, EveryMethodSinkAndTargetDrawsItsDefinition) {
   }
 }
 
+// Rows of every width up to 60 from every bit of a byte on, in triangles of every path.
+TEST(KernelsTest, MasksEqualCountsAtEveryBit) {
+  for (const Target target : SupportedTargets()) {
+    Surface counts(Sink::kCount8, 160, 90);
+    Surface mask(Sink::kMask, 160, 90);
+    for (int width = 1; width <= 60; ++width) {
+      for (int x = 0; x < 16; ++x) {
+        const float height = static_cast<float>(x % 2 == 0 ? 40 : 88);
+        const auto left = static_cast<float>(x);
+        const auto right = static_cast<float>(x + width);
+        const std::array<KernelVertex, 3> vertices{
+            {{left, 0.25F, 0}, {right, 0.25F, 0}, {left + 30, height, 0}}};
+        const std::array<std::uint32_t, 3> indices{0, 1, 2};
+        const KernelScene scene{vertices, indices, 160, 90};
+        counts.Clear();
+        mask.Clear();
+        Draw(KernelMethod::kExact, target, scene, counts);
+        Draw(KernelMethod::kExact, target, scene, mask);
+        for (int i = 0; i < 160 * 90; ++i) {
+          ASSERT_EQ(mask.At(i % 160, i / 160), counts.At(i % 160, i / 160))
+              << NameOf(target) << ' ' << x << ' ' << width << " pixel " << i;
+        }
+      }
+    }
+  }
+}
+
 TEST(KernelsTest, ASurfaceKeepsWhatWasDrawnBefore) {
   const OwnedScene scene = RandomScene(6, 67, 35, 40);
   const KernelScene view = scene.View();

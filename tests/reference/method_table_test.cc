@@ -88,7 +88,8 @@ TEST(MethodTableTest, ProofsAreOfTheMethodsOwnArithmetic) {
   EXPECT_EQ(scripts("f32-index"), (Scripts{"edge_direct.g", "index.g"}));
   EXPECT_EQ(scripts("filtered-exact"), Scripts{"edge_filter.g"})
       << "its filter is another condition";
-  EXPECT_EQ(scripts("spans-exact"), (Scripts{"row_crossing.g", "kernel_crossing.g"}));
+  EXPECT_EQ(scripts("spans-exact"),
+            (Scripts{"row_crossing.g", "kernel_crossing.g", "kernel_steps.g"}));
   EXPECT_EQ(scripts("i32-snap4"), Scripts{"exactness.g"});
   EXPECT_EQ(scripts("hom-projected-f32"), Scripts{"edge_direct.g"});
   EXPECT_EQ(scripts("hom-exact"), Scripts{"homogeneous.g"}) << "of its filter";

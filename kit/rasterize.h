@@ -23,6 +23,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "core/error.h"
@@ -114,6 +115,38 @@ void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
 void Rasterize(const RasterMesh& mesh, int width, int height,
                const std::function<void(const RasterSpan&)>& on_span,
                InstructionSet set = InstructionSet::kBest);
+
+/// Threads that draw a mesh together: each a part of its triangles, into memory of its own that is
+/// merged in the end. Bit for bit what Rasterize() draws, for every number of them.
+///
+/// They keep their memory, a target's for each but one, for the next call. It pays from about
+/// 50,000 triangles of a few pixels on; of kDepths and kIds, whose targets are larger, from more.
+/// Outputs of squares are drawn by the calling thread alone.
+class RasterWorkers {
+ public:
+  /// Calls act(k) for every k in [0, count), at once as far as it can, and returns after the last
+  /// one: a program's own threads.
+  using ForEach = std::function<void(int count, const std::function<void(int)>& act)>;
+
+  /// Starts count - 1 threads; the calling one of Rasterize draws, too.
+  ///
+  /// Domain:     1 <= count <= 256.
+  /// Error:      InputError beyond that; std::system_error where threads can't be started.
+  explicit RasterWorkers(int count);
+  /// Starts none: for_each is called instead, three times a drawing.
+  RasterWorkers(int count, ForEach for_each);
+  RasterWorkers(const RasterWorkers&) = delete;
+  RasterWorkers& operator=(const RasterWorkers&) = delete;
+  ~RasterWorkers();
+
+  /// As the function of this name. One call at a time.
+  void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
+                 InstructionSet set = InstructionSet::kBest);
+
+ private:
+  class Crew;
+  std::unique_ptr<Crew> crew_;
+};
 
 /// Writes 1 for each triangle that covers no pixel centre of the target, 0 for each that does: what
 /// culling of small triangles may drop.

@@ -92,6 +92,16 @@ rasterproof_raster_status rasterproof_rasterize(const rasterproof_raster_mesh* m
                                                 const rasterproof_raster_target* target,
                                                 uint32_t set);
 
+/* Threads that draw a mesh together: bit for bit what rasterproof_rasterize draws. A call at a time;
+ * 1 to 256, the calling thread among them. Destroy takes NULL. */
+typedef struct rasterproof_raster_workers rasterproof_raster_workers;
+rasterproof_raster_status rasterproof_raster_workers_create(uint32_t count,
+                                                            rasterproof_raster_workers** workers);
+void rasterproof_raster_workers_destroy(rasterproof_raster_workers* workers);
+rasterproof_raster_status rasterproof_raster_workers_rasterize(
+    rasterproof_raster_workers* workers, const rasterproof_raster_mesh* mesh,
+    const rasterproof_raster_target* target, uint32_t set);
+
 /* Calls on_span for every row of every triangle that is covered, in order. */
 rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_mesh* mesh,
                                                       int32_t width, int32_t height,

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -95,7 +96,35 @@ InstructionSet SetOf(std::uint32_t set) {
 }  // namespace
 }  // namespace rasterproof
 
+struct rasterproof_raster_workers {
+  rasterproof::RasterWorkers workers;
+};
+
 extern "C" {
+
+rasterproof_raster_status rasterproof_raster_workers_create(uint32_t count,
+                                                            rasterproof_raster_workers** workers) {
+  return rasterproof::Guarded([&] {
+    if (workers == nullptr) {
+      throw rasterproof::InputError("workers", "null", "give a place for the pointer");
+    }
+    constexpr std::uint32_t kMost = std::numeric_limits<std::int32_t>::max();
+    *workers = new rasterproof_raster_workers{
+        rasterproof::RasterWorkers(static_cast<int>(std::min(count, kMost)))};
+  });
+}
+
+void rasterproof_raster_workers_destroy(rasterproof_raster_workers* workers) { delete workers; }
+
+rasterproof_raster_status rasterproof_raster_workers_rasterize(
+    rasterproof_raster_workers* workers, const rasterproof_raster_mesh* mesh,
+    const rasterproof_raster_target* target, uint32_t set) {
+  return rasterproof::Guarded([&] {
+    rasterproof::Required(workers, "workers");
+    workers->workers.Rasterize(rasterproof::MeshOf(mesh), rasterproof::TargetOf(target),
+                               rasterproof::SetOf(set));
+  });
+}
 
 uint32_t rasterproof_raster_version(void) { return RASTERPROOF_RASTER_VERSION; }
 

@@ -19,15 +19,25 @@
 #include "core/own_precision.h"
 #include "reference/kernels/kernel.h"
 #include "reference/kernels/kernel_table.h"
+#include "reference/library/arguments.h"
+#include "reference/library/draw.h"
 #include "reference/library/squares.h"
 
 namespace rasterproof {
 namespace {
 
 namespace kernels = reference::kernels;
+using library::BytesOfRows;
+using library::Plane;
+using library::PlanesOf;
+using library::RequireMesh;
+using library::RequireSet;
+using library::RequireSize;
+using library::RequireTarget;
+using library::RowBytes;
+using library::TargetsOf;
+using library::UnitOf;
 
-constexpr int kMostPixels = 65536;
-constexpr std::size_t kMostVertices = std::size_t{1} << 29;
 // What the kernels' vectors read and rewrite: see reference/kernels/sinks.h.
 constexpr std::size_t kRoomRows = 7;
 constexpr std::size_t kRoomPixels = 64;
@@ -36,169 +46,6 @@ kernels::Sink SinkOf(RasterOutput output) {
   constexpr std::array kSinks{kernels::Sink::kCount8, kernels::Sink::kFacing, kernels::Sink::kMask,
                               kernels::Sink::kId, kernels::Sink::kDepth};
   return kSinks[static_cast<std::size_t>(output)];
-}
-
-bool IsMask(RasterOutput output) {
-  return output == RasterOutput::kMask || output == RasterOutput::kInnerMask ||
-         output == RasterOutput::kOuterMask;
-}
-
-// Of a pixel, of eight in a mask.
-std::size_t UnitOf(RasterOutput output) {
-  return output == RasterOutput::kCounts || IsMask(output) ? 1 : sizeof(float);
-}
-
-std::size_t RowBytes(const RasterTarget& target) {
-  const auto width = static_cast<std::size_t>(target.width);
-  return IsMask(target.output) ? (width + 7) / 8 : width * UnitOf(target.output);
-}
-
-std::size_t BytesOfRows(const RasterTarget& target) {
-  return static_cast<std::size_t>(target.height - 1) * target.pitch + RowBytes(target);
-}
-
-std::string Text(std::size_t n) { return std::to_string(n); }
-
-void RequireSize(const std::string& place, int width, int height) {
-  for (const auto& [name, side] : {std::pair("width", width), std::pair("height", height)}) {
-    if (side >= 1 && side <= kMostPixels) continue;
-    throw InputError(place + name, std::to_string(side) + " pixels",
-                     "give 1 to " + std::to_string(kMostPixels));
-  }
-}
-
-void RequirePitch(const RasterTarget& target) {
-  const std::size_t unit = UnitOf(target.output);
-  if (target.pitch < RowBytes(target)) {
-    throw InputError("target.pitch", Text(target.pitch) + " bytes, less than a row's",
-                     "give at least " + Text(RowBytes(target)));
-  }
-  if (target.pitch % unit != 0) {
-    throw InputError("target.pitch", Text(target.pitch) + " bytes, not of whole pixels",
-                     "give a multiple of " + Text(unit));
-  }
-}
-
-void RequirePlane(const RasterTarget& target, const std::string& name, std::span<std::byte> plane) {
-  if (plane.data() == nullptr) {
-    throw InputError(name, "null", "give the memory that pixels are drawn into");
-  }
-  const auto rows = static_cast<std::size_t>(target.height - 1);
-  const std::size_t row = RowBytes(target);
-  if (plane.size() < row || (rows > 0 && target.pitch > (plane.size() - row) / rows)) {
-    throw InputError(name, Text(plane.size()) + " bytes, less than its rows take",
-                     "give height - 1 times the pitch and " + Text(row) + " for the last row");
-  }
-  if (std::bit_cast<std::uintptr_t>(plane.data()) % UnitOf(target.output) != 0) {
-    throw InputError(name, "not aligned", "align it to " + Text(UnitOf(target.output)) + " bytes");
-  }
-}
-
-// One or two.
-using Plane = std::span<std::byte>;
-std::span<const Plane> PlanesOf(const RasterTarget& target, std::array<Plane, 2>& planes) {
-  planes = {target.memory, target.back};
-  return std::span(planes).first(target.output == RasterOutput::kFacingCounts ? 2 : 1);
-}
-
-std::span<const std::byte> RowsOf(const RasterTarget& target, const Plane& plane) {
-  return plane.first(BytesOfRows(target));
-}
-
-bool Overlap(std::span<const std::byte> a, std::span<const std::byte> b) {
-  const std::less<const std::byte*> less;
-  return less(a.data(), b.data() + b.size()) && less(b.data(), a.data() + a.size());
-}
-
-void RequireTarget(const RasterTarget& target) {
-  if (target.output > RasterOutput::kInnerDepths) {
-    throw InputError("target.output", "there is no such output", "give one of RasterOutput");
-  }
-  RequireSize("target.", target.width, target.height);
-  RequirePitch(target);
-  RequirePlane(target, "target.memory", target.memory);
-  if (target.output != RasterOutput::kFacingCounts) {
-    if (target.back.empty()) return;
-    throw InputError("target.back", "facing counts alone have one", "leave it empty");
-  }
-  RequirePlane(target, "target.back", target.back);
-  if (Overlap(RowsOf(target, target.memory), RowsOf(target, target.back))) {
-    throw InputError("target.back", "it overlaps target.memory", "give memory of its own");
-  }
-}
-
-template <class T>
-void RequireTriples(const std::string& name, std::span<const T> values) {
-  if (values.data() == nullptr && !values.empty()) {
-    throw InputError(name, "null", "give the values, or none");
-  }
-  if (values.size() % 3 != 0) {
-    throw InputError(name, Text(values.size()) + " of them", "give three of each");
-  }
-  if (std::bit_cast<std::uintptr_t>(values.data()) % alignof(T) != 0) {
-    throw InputError(name, "not aligned", "align it to " + Text(alignof(T)) + " bytes");
-  }
-}
-
-void RequireMesh(const RasterMesh& mesh) {
-  RequireTriples("mesh.positions", mesh.positions);
-  RequireTriples("mesh.indices", mesh.indices);
-  const std::size_t vertices = mesh.positions.size() / 3;
-  if (vertices > kMostVertices) {
-    throw InputError("mesh.positions", Text(vertices) + " vertices",
-                     "draw parts of at most " + Text(kMostVertices));
-  }
-  if (mesh.indices.size() / 3 >= kNoTriangle) {
-    throw InputError("mesh.indices", Text(mesh.indices.size() / 3) + " triangles",
-                     "draw parts of fewer than " + Text(kNoTriangle));
-  }
-}
-
-void RequireApart(const RasterMesh& mesh, const RasterTarget& target) {
-  std::array<Plane, 2> both;
-  const auto planes = PlanesOf(target, both);
-  const auto require = [&](const std::string& name, std::span<const std::byte> values) {
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      if (values.empty() || !Overlap(RowsOf(target, planes[k]), values)) continue;
-      throw InputError(k == 0 ? "target.memory" : "target.back", "it overlaps " + name,
-                       "give memory of its own");
-    }
-  };
-  require("mesh.positions", std::as_bytes(mesh.positions));
-  require("mesh.indices", std::as_bytes(mesh.indices));
-}
-
-void RequireIndices(const RasterMesh& mesh) {
-  const std::size_t vertices = mesh.positions.size() / 3;
-  std::uint32_t most = 0;
-  for (const std::uint32_t index : mesh.indices) most = std::max(most, index);
-  if (mesh.indices.empty() || most < vertices) return;
-  const auto first = std::ranges::find_if(mesh.indices, [&](auto i) { return i >= vertices; });
-  throw InputError(
-      "mesh.indices[" + Text(static_cast<std::size_t>(first - mesh.indices.begin())) + "]",
-      Text(*first) + ", and there are " + Text(vertices) + " vertices",
-      "give indices of positions");
-}
-
-constexpr std::array<std::string_view, 6> kNames{"", "scalar", "sse4", "avx2", "avx512", "neon"};
-
-// Those of the kernels that bear the set's name: one or none.
-std::span<const kernels::Target> TargetsOf(InstructionSet set) {
-  const auto all = kernels::SupportedTargets();
-  if (set == InstructionSet::kBest) return all.last(1);
-  const auto index = static_cast<std::size_t>(set);
-  if (index >= kNames.size()) return {};
-  for (const kernels::Target& target : all) {
-    if (kernels::NameOf(target) == kNames[index]) return {&target, 1};
-  }
-  return {};
-}
-
-kernels::Target RequireSet(InstructionSet set) {
-  const auto found = TargetsOf(set);
-  if (!found.empty()) return found.front();
-  throw InputError("set", "this machine or this build does not run it",
-                   "give kBest, or ask IsSupported");
 }
 
 kernels::KernelView ViewOf(const RasterMesh& mesh, int width, int height) {
@@ -270,19 +117,10 @@ std::size_t RoomFor(const RasterTarget& target) {
          kRoomPixels * UnitOf(target.output);
 }
 
-void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSet set) {
-  RequireTarget(target);
-  RequireMesh(mesh);
-  RequireApart(mesh, target);
-  RequireIndices(mesh);
-  const kernels::Target simd = RequireSet(set);
-  const FloatEnvironment sane;
-  if (IsOfSquares(target.output)) {
-    DrawSquares(mesh, target, set);
-    return;
-  }
+void library::Draw(const RasterMesh& mesh, const RasterTarget& target, kernels::Target simd) {
   const kernels::Sink sink = SinkOf(target.output);
 
+  const FloatEnvironment sane;
   std::array<Plane, 2> both;
   const auto planes = PlanesOf(target, both);
   std::size_t bytes = target.memory.size();
@@ -308,11 +146,21 @@ void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSe
   for (LastRows& rows : last) rows.PutBack();
 }
 
+void Rasterize(const RasterMesh& mesh, const RasterTarget& target, InstructionSet set) {
+  const kernels::Target simd = library::RequireAllButIndices(mesh, target, set);
+  library::RequireIndices(mesh);
+  if (IsOfSquares(target.output)) {
+    const FloatEnvironment sane;
+    DrawSquares(mesh, target, set);
+  } else {
+    library::Draw(mesh, target, simd);
+  }
+}
+
 void Rasterize(const RasterMesh& mesh, int width, int height,
                const std::function<void(const RasterSpan&)>& on_span, InstructionSet set) {
   RequireSize("", width, height);
   RequireMesh(mesh);
-  RequireIndices(mesh);
   if (!on_span) throw InputError("on_span", "empty", "give a function to call");
   const kernels::Target simd = RequireSet(set);
   kernels::KernelView view = ViewOf(mesh, width, height);
@@ -328,11 +176,11 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
 void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
                         std::span<std::uint8_t> is_empty, InstructionSet set) {
   if (is_empty.size() != mesh.indices.size() / 3) {
-    throw InputError("is_empty", Text(is_empty.size()) + " bytes", "give one for each triangle");
+    throw InputError("is_empty", std::to_string(is_empty.size()) + " bytes",
+                     "give one for each triangle");
   }
   RequireSize("", width, height);
   RequireMesh(mesh);
-  RequireIndices(mesh);
   const kernels::Target simd = RequireSet(set);
   std::ranges::fill(is_empty, std::uint8_t{1});
   kernels::KernelView view = ViewOf(mesh, width, height);

@@ -1,0 +1,42 @@
+// What the library's calls are given: sizes of targets, and what is refused.
+#ifndef RASTERPROOF_REFERENCE_LIBRARY_ARGUMENTS_H_
+#define RASTERPROOF_REFERENCE_LIBRARY_ARGUMENTS_H_
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "kit/rasterize.h"
+#include "reference/kernels/kernel.h"
+
+namespace rasterproof::library {
+
+/// Bytes of a pixel; of eight in a mask.
+std::size_t UnitOf(RasterOutput output);
+/// Bytes of a row, and of all rows from the first to the last one's last pixel.
+std::size_t RowBytes(const RasterTarget& target);
+std::size_t BytesOfRows(const RasterTarget& target);
+
+/// memory, and back where the output has one.
+using Plane = std::span<std::byte>;
+std::span<const Plane> PlanesOf(const RasterTarget& target, std::array<Plane, 2>& planes);
+
+/// Each throws InputError, which names the argument and the remedy.
+void RequireSize(const std::string& place, int width, int height);
+void RequireTarget(const RasterTarget& target);
+void RequireMesh(const RasterMesh& mesh);
+reference::kernels::Target RequireSet(InstructionSet set);
+/// All of a call that draws into memory, but the values of indices.
+reference::kernels::Target RequireAllButIndices(const RasterMesh& mesh, const RasterTarget& target,
+                                                InstructionSet set);
+void RequireIndices(const RasterMesh& mesh);
+/// Whether triangles [first, end) have indices of positions.
+bool HaveVertices(const RasterMesh& mesh, std::size_t first, std::size_t end);
+
+/// Those of the kernels that bear the set's name: one or none.
+std::span<const reference::kernels::Target> TargetsOf(InstructionSet set);
+
+}  // namespace rasterproof::library
+
+#endif  // RASTERPROOF_REFERENCE_LIBRARY_ARGUMENTS_H_

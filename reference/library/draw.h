@@ -1,0 +1,17 @@
+// The library's drawing, without its checks.
+#ifndef RASTERPROOF_REFERENCE_LIBRARY_DRAW_H_
+#define RASTERPROOF_REFERENCE_LIBRARY_DRAW_H_
+
+#include "kit/rasterize.h"
+#include "reference/kernels/kernel.h"
+
+namespace rasterproof::library {
+
+/// Draws onto the contents of the target's memory, in whatever floating-point environment.
+///
+/// Domain:     what RequireAllButIndices and RequireIndices take, and no output of squares.
+void Draw(const RasterMesh& mesh, const RasterTarget& target, reference::kernels::Target simd);
+
+}  // namespace rasterproof::library
+
+#endif  // RASTERPROOF_REFERENCE_LIBRARY_DRAW_H_

@@ -92,8 +92,8 @@ rasterproof_raster_status rasterproof_rasterize(const rasterproof_raster_mesh* m
                                                 const rasterproof_raster_target* target,
                                                 uint32_t set);
 
-/* Threads that draw a mesh together: bit for bit what rasterproof_rasterize draws. A call at a time;
- * 1 to 256, the calling thread among them. Destroy takes NULL. */
+/* Threads that draw a mesh together: bit for bit what rasterproof_rasterize draws. One call at a
+ * time; 1 to 256, the calling thread among them. Destroy takes NULL. */
 typedef struct rasterproof_raster_workers rasterproof_raster_workers;
 rasterproof_raster_status rasterproof_raster_workers_create(uint32_t count,
                                                             rasterproof_raster_workers** workers);

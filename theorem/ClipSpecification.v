@@ -14,8 +14,8 @@ Definition det (a b p : vertex) :=
   (vy a * vw b - vw a * vy b) * vx p + (vw a * vx b - vx a * vw b) * vy p
   + (vx a * vy b - vy a * vx b) * vw p.
 
-(** In which direction the edge runs past the sample: that of b - a in the plane if both are before
-    the eye; where one is not, of the line that it lies on. *)
+(** In which direction the edge runs past the sample: wa wb times the difference of the projected
+    ends, so along it if both w have one sign, against it if not. *)
 Definition direction (a b : vertex) : point :=
   Point (vw a * vx b - vx a * vw b) (vw a * vy b - vy a * vw b).
 
@@ -39,7 +39,7 @@ Definition surface := list face.
 Definition seen_coverage (r : tie_rule) (m : surface) (p : vertex) : Z :=
   sum (fun t => seen r t p) m.
 
-(** The eye is a point of the triangle: what lies there is seen in every direction and in none. *)
+(** The eye is a point of the triangle. *)
 Definition holds_eye (t : face) : Prop := exists i j k,
   0 <= i /\ 0 <= j /\ 0 <= k /\ 0 < i + j + k
   /\ vertex_plus (vertex_times i (vertex_a t))

@@ -193,7 +193,7 @@ Proof.
     rewrite <- float_edge_is_exact by assumption. apply IH. assumption.
 Qed.
 
-(** Stepped is direct, bit for bit, at every point that is passed. *)
+(** Stepped is direct, the same number, at every point that is passed. *)
 Theorem float_stepped_is_direct a b p l : in_box a -> in_box b -> passes p l ->
   float_stepped a b (float_edge a b p) l = float_edge a b (walk p (map move l)).
 Proof.

@@ -1,8 +1,9 @@
-(** What the theorems are about. It is all that has to be read to know what is proved.
+(** What the theorems are about. It is all that has to be read to know what [main] and
+    [coverage_is_winding] say.
 
-    Coordinates are integers; with a common denominator that is every finite number of a file.
-    x points right and y points down, as in Direct3D. A triangle is positive if [edge] is positive
-    inside. *)
+    Coordinates are integers: the finite numbers of a file become integers over a common
+    denominator. x points right and y points down, as in Direct3D. A triangle is positive if its
+    area by [edge] is. *)
 From Coq Require Export ZArith List Permutation Bool.
 Export ListNotations.
 Global Open Scope Z_scope.

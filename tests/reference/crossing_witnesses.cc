@@ -83,7 +83,7 @@ ErrorAndBound OfSmall(const Numbers& n) {
   const float slope = (f(2) * kUnit - f(0) * kUnit) / (f(3) - f(1));
   const Rational crossing = CrossingOf(n, n[4]) + Rational(0.5) + kError;
   Rational worst(0);
-  for (const std::size_t end : {0, 2}) {
+  for (const std::size_t end : {std::size_t{0}, std::size_t{2}}) {
     const float from = f(end) * kUnit + (0.5F + kError) * kUnit;
     const float down = f(4) - f(end + 1);
     for (const float guess : {down * slope + from, std::fma(down, slope, from)}) {

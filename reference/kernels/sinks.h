@@ -242,7 +242,8 @@ class MaskSink {
   }
 
   HWY_INLINE bool ShortRows(int row, int rows, VI first, VI last) {
-    constexpr int kMost = 25;  // with up to 7 bits before them
+    constexpr int kMost = 25;                             // with up to 7 bits before them
+    if (pitch_ >= std::ptrdiff_t{1} << 26) return false;  // the last lane's row, in 32 bits
     const DI di;
     const VI lane = hn::ConvertTo(di, FloatsFrom(DF(), 0));
     const auto valid = hn::Lt(lane, hn::Set(di, rows));

@@ -8,7 +8,7 @@
 // A pixel is covered if its centre lies inside the triangle of the given float32 vertices: any
 // finite values, nothing snapped or clipped, no sample decided by a rounded number. Ties follow the
 // top-left rule, so triangles that share an edge leave no gap along it and overlap nowhere. Both
-// windings are drawn; a triangle with a NaN or an infinity covers nothing. Every
+// windings are drawn; a triangle with a NaN or an infinity in x or y covers nothing. Every
 // instruction set gives the same bits.
 //
 // This holds in any floating-point environment: while a call draws, callbacks included, the thread
@@ -46,13 +46,13 @@ struct RasterMesh {
 /// where float32 finds no plane, because the area rounds to zero or a coefficient is 2^100 or more.
 /// A triangle with a z that is a NaN or an infinity leaves depths as they are.
 ///
-/// The last three are of pixels' squares in place of their centres, and of the mesh as a whole; for
-/// every instruction set the same code draws them. A triangle without area meets no square.
+/// The last three are of pixels' squares in place of their centres, and of the mesh as a whole. A
+/// triangle without area meets no square.
 /// - kInnerMask never covers too much, and common edges take nothing from it: set are pixels whose
 ///   centre is covered and whose square no edge of the outline meets. The outline is what is left
 ///   of all triangles' edges, each triangle counter-clockwise on screen, after pairs of opposite
 ///   edges are taken away; vertices are one where x and y are equal. A back face counts as a front
-///   face does: give front faces alone if back faces should not add outlines.
+///   face does.
 /// - kInnerDepths keeps the lesser of what is there and the greatest z, over the square, of the
 ///   planes of all triangles that meet it (each at most its vertices'), rounded up: no point of the
 ///   square lies farther. A z that is a NaN or an infinity leaves its squares as they are.
@@ -62,7 +62,7 @@ enum class RasterOutput : std::uint8_t {
   kMask,          ///< a bit, pixel x at bit x & 7 of byte x >> 3: whether any does
   kIds,           ///< uint32: the last triangle that does; kNoTriangle
   kDepths,        ///< float32: the least z
-  kInnerMask,     ///< a bit: whether the mesh covers the whole of the pixel's open square
+  kInnerMask,     ///< a bit, only if the mesh covers all of the pixel's open square
   kOuterMask,     ///< a bit: whether any triangle meets the pixel's open square
   kInnerDepths    ///< float32, of kInnerMask's pixels: the greatest z that the square may show
 };
@@ -101,8 +101,8 @@ bool IsSupported(InstructionSet set);
 ///
 /// Vectors read and rewrite, unchanged, the bytes of memory between and after rows: no other thread
 /// may write there meanwhile. Allocates nothing if memory has RoomFor(target) bytes; otherwise the
-/// last rows are drawn elsewhere and copied, and the mesh is traversed twice. Outputs of squares
-/// allocate: a mask, the outline's edges and, for depths, 4 bytes a pixel.
+/// last rows are drawn elsewhere and copied, and the mesh is traversed twice. kInnerMask and
+/// kInnerDepths allocate a mask, the outline's edges and, for depths, 4 bytes a pixel.
 ///
 /// Error:      InputError, which names the argument and the remedy; nothing is drawn then.
 void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
@@ -120,13 +120,13 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
 /// merged in the end. Bit for bit what Rasterize() draws, for every number of them.
 ///
 /// They keep their memory, a target's for each but one, for the next call. Waking them takes about
-/// a tenth of a millisecond, and merging what the target is large: less work than that is done
-/// sooner by one thread.
+/// a tenth of a millisecond, and merging time in proportion to the target: less work than that is
+/// done sooner by one thread.
 /// Outputs of squares are drawn by the calling thread alone.
 class RasterWorkers {
  public:
-  /// Calls act(k) for every k in [0, count), at once as far as it can, and returns after the last
-  /// one: a program's own threads.
+  /// Calls act(k) once for each k in [0, count), at once as far as it can, and returns after the
+  /// last one; the next call sees what they wrote. A program's own threads.
   using ForEach = std::function<void(int count, const std::function<void(int)>& act)>;
 
   /// Starts count - 1 threads; the calling one of Rasterize draws, too.
@@ -134,13 +134,15 @@ class RasterWorkers {
   /// Domain:     1 <= count <= 256.
   /// Error:      InputError beyond that; std::system_error where threads can't be started.
   explicit RasterWorkers(int count);
-  /// Starts none: for_each is called instead, three times a drawing.
+  /// Starts none: for_each is called instead, up to three times a drawing.
   RasterWorkers(int count, ForEach for_each);
   RasterWorkers(const RasterWorkers&) = delete;
   RasterWorkers& operator=(const RasterWorkers&) = delete;
   ~RasterWorkers();
 
-  /// As the function of this name. One call at a time.
+  /// As the function of this name, but that it allocates. One call at a time.
+  ///
+  /// Domain:     the mesh apart from all of the target's memory, room included.
   void Rasterize(const RasterMesh& mesh, const RasterTarget& target,
                  InstructionSet set = InstructionSet::kBest);
 
@@ -150,9 +152,9 @@ class RasterWorkers {
 };
 
 /// Writes 1 for each triangle that covers no pixel centre of the target, 0 for each that does: what
-/// culling of small triangles may drop.
+/// culling of small triangles may drop, but for outputs of squares.
 ///
-/// Domain:     a byte a triangle.
+/// Domain:     a byte a triangle, apart from the mesh.
 /// Error:      as Rasterize.
 void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
                         std::span<std::uint8_t> is_empty,

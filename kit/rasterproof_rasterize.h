@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /* Of this header; rasterproof_raster_version() is the library's. They must be equal. */
-#define RASTERPROOF_RASTER_VERSION 1u
+#define RASTERPROOF_RASTER_VERSION 2u
 uint32_t rasterproof_raster_version(void);
 
 typedef enum rasterproof_raster_status {
@@ -25,7 +25,8 @@ typedef enum rasterproof_raster_status {
   RASTERPROOF_RASTER_BAD_ARGUMENT = 1, /* the message names it, and the remedy */
   RASTERPROOF_RASTER_STOPPED = 2,      /* the callback said so */
   RASTERPROOF_RASTER_NO_MEMORY = 3,
-  RASTERPROOF_RASTER_FAULT = 4 /* an exception of a callback in C++, or a fault of the library */
+  RASTERPROOF_RASTER_FAULT = 4 /* an exception of a callback in C++, threads that can't be started,
+                                  or a fault of the library */
 } rasterproof_raster_status;
 
 /* The data kept of covered pixels: see RasterOutput. */
@@ -35,9 +36,9 @@ enum rasterproof_raster_output {
   RASTERPROOF_RASTER_MASK = 2,          /* a bit, pixel x at bit x & 7 of byte x >> 3 */
   RASTERPROOF_RASTER_IDS = 3,           /* uint32_t: the last triangle */
   RASTERPROOF_RASTER_DEPTHS = 4,        /* float: the least z, within the vertices' */
-  RASTERPROOF_RASTER_INNER_MASK = 5,    /* a bit: the mesh covers all of the pixel's open square */
-  RASTERPROOF_RASTER_OUTER_MASK = 6,    /* a bit: a triangle meets the pixel's open square */
-  RASTERPROOF_RASTER_INNER_DEPTHS = 7   /* float: of INNER_MASK's pixels, the greatest z there */
+  RASTERPROOF_RASTER_INNER_MASK = 5,  /* a bit, only if the mesh covers all of the pixel's square */
+  RASTERPROOF_RASTER_OUTER_MASK = 6,  /* a bit: a triangle meets the pixel's open square */
+  RASTERPROOF_RASTER_INNER_DEPTHS = 7 /* float: of INNER_MASK's pixels, the greatest z there */
 };
 #define RASTERPROOF_RASTER_NO_TRIANGLE 0xffffffffu
 

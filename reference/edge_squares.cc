@@ -20,7 +20,8 @@ EdgeSquares::EdgeSquares(Point2 a, Point2 b, int width, int height)
   const double dy = lower_.y - upper_.y;
   slope_ = (lower_.x - upper_.x) / dy;
   guess_is_proved_ = std::fabs(upper_.x) <= RowCrossing::kGuessDomain &&
-                     std::fabs(lower_.x) <= RowCrossing::kGuessDomain && std::isfinite(slope_);
+                     std::fabs(lower_.x) <= RowCrossing::kGuessDomain && std::isfinite(dy) &&
+                     std::isfinite(slope_);
 }
 
 ColumnRange EdgeSquares::At(int j) {

@@ -32,7 +32,7 @@ class EdgeSquares {
   /// Error:      none.
   /// Cost:       a product, a sum and a rounding for each side of the strip that it crosses, one
   ///             less in the row after the last one asked for; an exact sign where that is within
-  ///             twice RowCrossing::kCrossingError of a whole number, or 17 of them beyond
+  ///             twice RowCrossing::kCrossingError of a whole number, or 18 of them beyond
   ///             RowCrossing::kGuessDomain.
   ColumnRange At(int j);
 

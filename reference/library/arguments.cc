@@ -93,20 +93,6 @@ void RequireShape(const RasterMesh& mesh) {
   }
 }
 
-void RequireApart(const RasterMesh& mesh, const RasterTarget& target) {
-  std::array<Plane, 2> both;
-  const auto planes = PlanesOf(target, both);
-  const auto require = [&](const std::string& name, std::span<const std::byte> values) {
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      if (values.empty() || !Overlap(RowsOf(target, planes[k]), values)) continue;
-      throw InputError(k == 0 ? "target.memory" : "target.back", "it overlaps " + name,
-                       "give memory of its own");
-    }
-  };
-  require("mesh.positions", std::as_bytes(mesh.positions));
-  require("mesh.indices", std::as_bytes(mesh.indices));
-}
-
 constexpr std::array<std::string_view, 6> kNames{"", "scalar", "sse4", "avx2", "avx512", "neon"};
 
 }  // namespace
@@ -154,6 +140,16 @@ void RequireTarget(const RasterTarget& target) {
   }
 }
 
+void RequireApart(const RasterMesh& mesh, const std::string& name,
+                  std::span<const std::byte> memory) {
+  const auto require = [&](const std::string& of_mesh, std::span<const std::byte> values) {
+    if (memory.empty() || values.empty() || !Overlap(memory, values)) return;
+    throw InputError(name, "it overlaps " + of_mesh, "give memory of its own");
+  };
+  require("mesh.positions", std::as_bytes(mesh.positions));
+  require("mesh.indices", std::as_bytes(mesh.indices));
+}
+
 bool HaveVertices(const RasterMesh& mesh, std::size_t first, std::size_t end) {
   std::uint32_t most = 0;
   for (const std::uint32_t index : mesh.indices.subspan(3 * first, 3 * (end - first))) {
@@ -199,7 +195,11 @@ kernels::Target RequireAllButIndices(const RasterMesh& mesh, const RasterTarget&
                                      InstructionSet set) {
   RequireTarget(target);
   RequireShape(mesh);
-  RequireApart(mesh, target);
+  std::array<Plane, 2> both;
+  const auto planes = PlanesOf(target, both);
+  for (std::size_t k = 0; k < planes.size(); ++k) {
+    RequireApart(mesh, k == 0 ? "target.memory" : "target.back", RowsOf(target, planes[k]));
+  }
   return RequireSet(set);
 }
 

@@ -31,6 +31,8 @@ reference::kernels::Target RequireSet(InstructionSet set);
 reference::kernels::Target RequireAllButIndices(const RasterMesh& mesh, const RasterTarget& target,
                                                 InstructionSet set);
 void RequireIndices(const RasterMesh& mesh);
+void RequireApart(const RasterMesh& mesh, const std::string& name,
+                  std::span<const std::byte> memory);
 /// Whether triangles [first, end) have indices of positions.
 bool HaveVertices(const RasterMesh& mesh, std::size_t first, std::size_t end);
 

@@ -38,8 +38,10 @@ rasterproof_raster_status Guarded(const Act& act) noexcept {
   } catch (const InputError& error) {
     return Fail(RASTERPROOF_RASTER_BAD_ARGUMENT, error.what());
   } catch (const std::bad_alloc&) {
-    return Fail(RASTERPROOF_RASTER_NO_MEMORY,
-                "no memory for the last rows; give the target rasterproof_raster_room() bytes");
+    return Fail(
+        RASTERPROOF_RASTER_NO_MEMORY,
+        "no memory for what the call allocates; counts, masks, ids and depths of one thread "
+        "allocate nothing in a target of rasterproof_raster_room() bytes");
   } catch (const std::exception& error) {
     return Fail(RASTERPROOF_RASTER_FAULT, error.what());
   } catch (...) {
@@ -108,6 +110,7 @@ rasterproof_raster_status rasterproof_raster_workers_create(uint32_t count,
     if (workers == nullptr) {
       throw rasterproof::InputError("workers", "null", "give a place for the pointer");
     }
+    *workers = nullptr;
     constexpr std::uint32_t kMost = std::numeric_limits<std::int32_t>::max();
     *workers = new rasterproof_raster_workers{
         rasterproof::RasterWorkers(static_cast<int>(std::min(count, kMost)))};

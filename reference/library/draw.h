@@ -7,6 +7,9 @@
 
 namespace rasterproof::library {
 
+/// Whether memory (and back) has RoomFor(target) bytes, so that Draw allocates nothing.
+bool HasRoom(const RasterTarget& target);
+
 /// Draws onto the contents of the target's memory, in whatever floating-point environment.
 ///
 /// Domain:     what RequireAllButIndices and RequireIndices take, and no output of squares.

@@ -58,8 +58,11 @@ kernels::KernelView ViewOf(const RasterMesh& mesh, int width, int height) {
   return view;
 }
 
-// How many rows have room below and behind them in memory of so many bytes.
-int RowsWithRoom(const RasterTarget& target, std::size_t bytes) {
+// How many rows have room below them and after them.
+int RowsWithRoom(const RasterTarget& target) {
+  std::array<Plane, 2> both;
+  std::size_t bytes = target.memory.size();
+  for (const Plane& plane : PlanesOf(target, both)) bytes = std::min(bytes, plane.size());
   const std::size_t behind = kRoomPixels * UnitOf(target.output);
   const std::size_t rows = bytes < behind ? 0 : (bytes - behind) / target.pitch;
   return static_cast<int>(
@@ -117,15 +120,15 @@ std::size_t RoomFor(const RasterTarget& target) {
          kRoomPixels * UnitOf(target.output);
 }
 
+bool library::HasRoom(const RasterTarget& target) { return RowsWithRoom(target) == target.height; }
+
 void library::Draw(const RasterMesh& mesh, const RasterTarget& target, kernels::Target simd) {
   const kernels::Sink sink = SinkOf(target.output);
 
   const FloatEnvironment sane;
   std::array<Plane, 2> both;
   const auto planes = PlanesOf(target, both);
-  std::size_t bytes = target.memory.size();
-  for (const Plane& plane : planes) bytes = std::min(bytes, plane.size());
-  const int direct = RowsWithRoom(target, bytes);
+  const int direct = RowsWithRoom(target);
   std::vector<LastRows> last;
   if (direct < target.height) {
     for (const Plane& plane : planes) last.emplace_back(target, plane, direct);
@@ -175,12 +178,16 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
 
 void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
                         std::span<std::uint8_t> is_empty, InstructionSet set) {
+  if (is_empty.data() == nullptr && !is_empty.empty()) {
+    throw InputError("is_empty", "null", "give a byte for each triangle");
+  }
   if (is_empty.size() != mesh.indices.size() / 3) {
     throw InputError("is_empty", std::to_string(is_empty.size()) + " bytes",
                      "give one for each triangle");
   }
   RequireSize("", width, height);
   RequireMesh(mesh);
+  library::RequireApart(mesh, "is_empty", std::as_bytes(is_empty));
   const kernels::Target simd = RequireSet(set);
   std::ranges::fill(is_empty, std::uint8_t{1});
   kernels::KernelView view = ViewOf(mesh, width, height);

@@ -65,8 +65,8 @@ Point2 PlaceOf(std::uint64_t key) {
 
 struct ChainEdge {
   std::uint64_t from;
-  std::uint64_t to;  // from < to; `turns` says which way it runs
-  int turns;         // 0: no edge
+  std::uint64_t to;    // from < to; `turns` says which way it runs
+  std::int64_t turns;  // 0: no edge
 
   bool IsAlong(const ChainEdge& other) const { return from == other.from && to == other.to; }
 };
@@ -101,7 +101,7 @@ class Outline {
     std::ranges::sort(pushed_out_, {}, [](const ChainEdge& e) { return std::pair(e.from, e.to); });
     for (std::size_t k = 0; k < pushed_out_.size();) {
       const ChainEdge& edge = pushed_out_[k];
-      int turns = 0;
+      std::int64_t turns = 0;
       for (; k < pushed_out_.size() && pushed_out_[k].IsAlong(edge); ++k) {
         turns += pushed_out_[k].turns;
       }

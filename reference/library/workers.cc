@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/float_environment.h"
 #include "kit/rasterize.h"
 #include "reference/kernels/kernel.h"
 #include "reference/library/arguments.h"
@@ -98,7 +99,7 @@ class Threads {
   std::vector<std::thread> threads_;
 };
 
-// Phases are short beside what it takes to wake a thread that sleeps: these yield.
+// Phases are short beside what it takes to wake a thread that sleeps: these yield at first.
 class Barrier {
  public:
   explicit Barrier(int count) : count_(count) {}
@@ -108,12 +109,18 @@ class Barrier {
     if (arrived_.fetch_add(1, std::memory_order_acq_rel) + 1 == count_) {
       arrived_.store(0, std::memory_order_relaxed);
       phase_.store(phase + 1, std::memory_order_release);
+      phase_.notify_all();
       return;
     }
-    while (phase_.load(std::memory_order_acquire) == phase) std::this_thread::yield();
+    for (int k = 0; k < kYields; ++k) {
+      if (phase_.load(std::memory_order_acquire) != phase) return;
+      std::this_thread::yield();
+    }
+    phase_.wait(phase, std::memory_order_acquire);
   }
 
  private:
+  static constexpr int kYields = 1000;
   int count_;
   std::atomic<int> arrived_{0};
   std::atomic<int> phase_{0};
@@ -122,30 +129,31 @@ class Barrier {
 // A target of a worker's own, with room. Empty before a drawing, and made so again by the merge.
 class OwnTarget {
  public:
-  const RasterTarget& Like(const RasterTarget& target) {
+  void MakeLike(const RasterTarget& target) {
     if (is_empty_ && own_.output == target.output && own_.width == target.width &&
         own_.height == target.height) {
-      is_empty_ = false;
-      return own_;
+      return;
     }
-    own_ = target;
-    own_.pitch = RowBytes(target);
-    const std::size_t bytes = RoomFor(own_);
+    is_empty_ = false;
+    RasterTarget own{.output = target.output, .width = target.width, .height = target.height};
+    own.pitch = RowBytes(target);
+    const std::size_t bytes = RoomFor(own);
     std::array<Plane, 2> planes;
     for (std::size_t k = 0; k < PlanesOf(target, planes).size(); ++k) {
       if (sizes_[k] < bytes) {
         // Not touched before the thread that draws into it clears it.
+        sizes_[k] = 0;
         memory_[k] = std::make_unique_for_overwrite<std::byte[]>(bytes);
         sizes_[k] = bytes;
       }
-      (k == 0 ? own_.memory : own_.back) = {memory_[k].get(), bytes};
+      (k == 0 ? own.memory : own.back) = {memory_[k].get(), bytes};
     }
-    Clear(own_);
-    is_empty_ = false;
-    return own_;
+    Clear(own);
+    own_ = own;
+    is_empty_ = true;
   }
   const RasterTarget& target() const { return own_; }
-  void SetEmpty() { is_empty_ = true; }
+  void SetEmpty(bool is_empty) { is_empty_ = is_empty; }
 
  private:
   RasterTarget own_;
@@ -206,11 +214,14 @@ class RasterWorkers::Crew {
   /// Returns whether all indices are of positions; else nothing is drawn.
   bool Draw(const RasterMesh& mesh, const RasterTarget& target, kernels::Target simd) {
     next_ = 0;
-    have_vertices_ = true;
-    Run({[&](int k) { CheckPart(k, mesh); }, [&](int k) { DrawPart(k, mesh, target, simd); },
+    may_go_on_ = true;
+    // The first worker draws into the target where that allocates nothing.
+    first_own_ = library::HasRoom(target) ? 1 : 0;
+    Run({[&](int k) { Prepare(k, mesh, target); }, [&](int k) { DrawPart(k, mesh, target, simd); },
          [&](int k) { MergeRows(k, mesh, target); }});
-    for (library::OwnTarget& own : own_) own.SetEmpty();
-    return have_vertices_;
+    if (!may_go_on_) return false;
+    for (int k = first_own_; k < count_; ++k) OwnOf(k).SetEmpty(true);
+    return true;
   }
   int count() const { return count_; }
 
@@ -223,10 +234,10 @@ class RasterWorkers::Crew {
     std::vector<std::exception_ptr> thrown(Size());
     const auto guarded = [&](const std::function<void(int)>& phase, int k) {
       try {
-        if (have_vertices_) phase(k);
+        if (may_go_on_) phase(k);
       } catch (...) {
         thrown[static_cast<std::size_t>(k)] = std::current_exception();
-        have_vertices_ = false;
+        may_go_on_ = false;
       }
     };
     if (threads_ != nullptr) {
@@ -250,14 +261,19 @@ class RasterWorkers::Crew {
     return triangles * static_cast<std::size_t>(k) / Size();
   }
 
-  void CheckPart(int k, const RasterMesh& mesh) {
+  library::OwnTarget& OwnOf(int k) { return own_[static_cast<std::size_t>(k)]; }
+
+  // All that may fail.
+  void Prepare(int k, const RasterMesh& mesh, const RasterTarget& target) {
+    if (k >= first_own_) OwnOf(k).MakeLike(target);
     const std::size_t triangles = mesh.indices.size() / 3;
     if (library::HaveVertices(mesh, FirstOf(k, triangles), FirstOf(k + 1, triangles))) return;
-    have_vertices_ = false;
+    may_go_on_ = false;
   }
 
   void DrawPart(int k, const RasterMesh& mesh, const RasterTarget& target, kernels::Target simd) {
-    const RasterTarget& own = k == 0 ? target : own_[static_cast<std::size_t>(k)].Like(target);
+    if (k >= first_own_) OwnOf(k).SetEmpty(false);
+    const RasterTarget& own = k >= first_own_ ? OwnOf(k).target() : target;
     const std::size_t triangles = mesh.indices.size() / 3;
     const auto draw = [&](std::size_t first, std::size_t end) {
       library::Draw({mesh.positions, mesh.indices.subspan(3 * first, 3 * (end - first))}, own,
@@ -274,13 +290,14 @@ class RasterWorkers::Crew {
     }
   }
 
-  void MergeRows(int k, const RasterMesh& mesh, const RasterTarget& target) const {
+  void MergeRows(int k, const RasterMesh& mesh, const RasterTarget& target) {
+    const FloatEnvironment sane;
     const int first = target.height * k / count_;
     const int end = target.height * (k + 1) / count_;
     std::array<library::Plane, 2> into, from;
     library::PlanesOf(target, into);
-    for (int worker = 1; worker < count_; ++worker) {
-      const RasterTarget& own = own_[static_cast<std::size_t>(worker)].target();
+    for (int worker = first_own_; worker < count_; ++worker) {
+      const RasterTarget& own = OwnOf(worker).target();
       const auto planes = library::PlanesOf(own, from);
       for (std::size_t plane = 0; plane < planes.size(); ++plane) {
         for (int y = first; y < end; ++y) {
@@ -298,7 +315,8 @@ class RasterWorkers::Crew {
   std::unique_ptr<library::Threads> threads_;
   std::vector<library::OwnTarget> own_;
   std::atomic<std::size_t> next_{0};  // triangle that no worker took
-  std::atomic<bool> have_vertices_{true};
+  std::atomic<bool> may_go_on_{true};
+  int first_own_ = 1;  // the first worker that draws into memory of its own
 };
 
 namespace {
@@ -329,6 +347,8 @@ void RasterWorkers::Rasterize(const RasterMesh& mesh, const RasterTarget& target
     return;
   }
   const kernels::Target simd = library::RequireAllButIndices(mesh, target, set);
+  library::RequireApart(mesh, "target.memory", target.memory);
+  library::RequireApart(mesh, "target.back", target.back);
   if (!crew_->Draw(mesh, target, simd)) library::RequireIndices(mesh);
 }
 

@@ -69,12 +69,15 @@ SquareMesh Soup(std::uint64_t seed, int width, int height, int triangles) {
   SquareMesh mesh{.name = "soup " + std::to_string(seed), .width = width, .height = height};
   reference::RandomValues random(seed);
   for (int t = 0; t < triangles; ++t) {
-    const int kind = random.Integer(0, 5);
+    const int kind = random.Integer(0, 6);  // 6: each coordinate of another
     const double x = random.Uniform(0, width);
     const double y = random.Uniform(0, height);
+    const auto one = [&](double from, int size) {
+      return Coordinate(random, kind == 6 ? random.Integer(0, 5) : kind, from, size);
+    };
     for (int k = 0; k < 3; ++k) {
-      const float vx = Coordinate(random, kind, x, width);
-      const float vy = Coordinate(random, kind, y, height);
+      const float vx = one(x, width);
+      const float vy = one(y, height);
       mesh.indices.push_back(mesh.Add(vx, vy, static_cast<float>(random.Uniform(-1, 1))));
     }
   }
@@ -142,7 +145,8 @@ std::vector<SquareMesh> SquareMeshes(int count) {
   std::vector<SquareMesh> meshes{Hard(), FarDiagonal(), {.name = "empty", .width = 3, .height = 2}};
   for (int k = 0; k < Cases(count); ++k) {
     const auto seed = static_cast<std::uint64_t>(k);
-    meshes.push_back(Soup(seed, 1 + k % 37, 1 + k % 19, 1 + k % 5));
+    meshes.push_back(
+        Soup(seed, count > 64 && k % 64 == 0 ? 65536 : 1 + k % 37, 1 + k % 19, 1 + k % 5));
     meshes.push_back(Grid(seed, 2 + k % 6, 2 + k % 4, 0.4 + 0.5 * (k % 9), k % 2 == 0));
   }
   return meshes;
@@ -304,8 +308,8 @@ TEST(RasterizeSquares, NoPointOfAnInnerSquareIsOpenOrFarther) {
       EXPECT_TRUE(!inner[k] || depths[k] <= 1) << mesh.name;  // no z is greater
       if (!inner[k]) continue;
       for (int n = 0; n < 4; ++n) {
-        const Point2 p{static_cast<double>(k % width) + random.Integer(0, 16) / 16.0,
-                       static_cast<double>(k / width) + random.Integer(0, 16) / 16.0};
+        const Point2 p{static_cast<double>(k % width) + random.Integer(1, 15) / 16.0,
+                       static_cast<double>(k / width) + random.Integer(1, 15) / 16.0};
         bool is_held = false;
         for (std::size_t t = 0; t < mesh.triangles(); ++t) {
           if (!Holds(mesh.Corners(t), p)) continue;
@@ -359,6 +363,14 @@ TEST(RasterizeSquares, DepthsKeepWhatIsNearerAndSquaresOfNoDepth) {
   SquareMesh mesh = Ramp();
   mesh.positions[2] = std::numeric_limits<float>::infinity();  // of both triangles
   for (const float untouched : InnerDepths(mesh, 2)) EXPECT_EQ(untouched, 2);
+  // Of one that lies over a part of them.
+  mesh = Ramp();
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  mesh.indices.insert(mesh.indices.end(),
+                      {mesh.Add(0, 0, nan), mesh.Add(3, 0, 0), mesh.Add(0, 3, 0)});
+  const std::vector<float> depths = InnerDepths(mesh, 2);
+  EXPECT_EQ(depths[11], 2);
+  EXPECT_LT(depths[44], 1);
 }
 
 TEST(RasterizeSquares, AFoldHidesNoMoreThanItsTriangles) {
@@ -386,6 +398,11 @@ TEST(MarkEmptyTriangles, MarksThoseThatTheOracleSaysCoverNoCentre) {
   }
   std::vector<std::uint8_t> too_few(1);
   EXPECT_THROW(MarkEmptyTriangles(Ramp().Mesh(), 4, 4, too_few), InputError);
+  EXPECT_THROW(MarkEmptyTriangles(Ramp().Mesh(), 4, 4, {static_cast<std::uint8_t*>(nullptr), 2}),
+               InputError);
+  SquareMesh mesh = Ramp();
+  auto* const inside = reinterpret_cast<std::uint8_t*>(mesh.indices.data()) + 2;
+  EXPECT_THROW(MarkEmptyTriangles(mesh.Mesh(), 4, 4, {inside, 2}), InputError);
 }
 
 }  // namespace

@@ -9,9 +9,11 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
+#include "core/float_mode.h"
 #include "kit/rasterize.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
@@ -158,6 +160,64 @@ TEST(RasterWorkers, RefuseWhatCannotBe) {
             }),
             "mesh.indices[5]: 3, and there are 3 vertices; give indices of positions");
   EXPECT_EQ(memory, std::vector<std::byte>(8, std::byte{7}));
+}
+
+// What another call left half done is drawn by none.
+TEST(RasterWorkers, KeepNothingOfACallThatFailed) {
+  const WorkersMesh mesh = ManyTriangles(3000);
+  int call = 0;
+  RasterWorkers workers(2, [&](int count, const std::function<void(int)>& act) {
+    if (++call == 3) throw std::domain_error("no merge today");
+    for (int k = 0; k < count; ++k) act(k);
+  });
+  const auto by_workers = [&](const RasterMesh& m, const RasterTarget& t) {
+    workers.Rasterize(m, t);
+  };
+  const auto alone = [](const RasterMesh& m, const RasterTarget& t) { Rasterize(m, t); };
+  EXPECT_THROW(Bytes(mesh, RasterOutput::kCounts, by_workers), std::domain_error);
+  WorkersMesh beyond = ManyTriangles(300);
+  const auto spoiled = [&](const RasterMesh& m, const RasterTarget& t) {
+    std::vector<std::uint32_t> indices(m.indices.begin(), m.indices.end());
+    indices.back() = 1000000;
+    EXPECT_THROW(workers.Rasterize({m.positions, indices}, t), InputError);
+  };
+  Bytes(beyond, RasterOutput::kCounts, spoiled);
+  const WorkersMesh next = ManyTriangles(400);
+  EXPECT_TRUE(Bytes(next, RasterOutput::kCounts, by_workers) ==
+              Bytes(next, RasterOutput::kCounts, alone));
+}
+
+// Subnormal depths are compared, whatever the caller's mode.
+TEST(RasterWorkers, MergeDepthsInTheUsualEnvironment) {
+  constexpr std::array kNear{0x1p-148F, 0x1p-149F};
+  WorkersMesh mesh;
+  for (const float z : kNear) {
+    for (const auto& [x, y] : {std::pair(-9.0F, -9.0F), {900.0F, -9.0F}, {-9.0F, 900.0F}}) {
+      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size() / 3));
+      mesh.positions.insert(mesh.positions.end(), {x, y, z});
+    }
+  }
+  RasterWorkers workers(2, [](int count, const std::function<void(int)>& act) {
+    for (int k = 0; k < count; ++k) act(k);
+  });
+  const auto drawn = [&](const DrawInto& draw) {
+    std::vector<float> depths(8);
+    const RasterTarget target{.output = RasterOutput::kDepths,
+                              .width = 8,
+                              .height = 1,
+                              .pitch = 32,
+                              .memory = std::as_writable_bytes(std::span(depths))};
+    Clear(target);
+    draw(mesh.Mesh(), target);
+    return depths;
+  };
+  if (!HasFloatMode(FloatMode::kDenormalsAreZero)) GTEST_SKIP() << "it takes them for 0 never";
+  const auto found = drawn([&](const RasterMesh& m, const RasterTarget& t) {
+    const WithinFloatMode flushed(FloatMode::kDenormalsAreZero);
+    workers.Rasterize(m, t);
+  });
+  EXPECT_EQ(found, drawn([](const RasterMesh& m, const RasterTarget& t) { Rasterize(m, t); }));
+  EXPECT_EQ(found.front(), 0x1p-149F);
 }
 
 TEST(RasterWorkers, LetExceptionsOfTheCallersThreadsThrough) {

@@ -242,13 +242,13 @@ class MaskSink {
   }
 
   HWY_INLINE bool ShortRows(int row, int rows, VI first, VI last) {
-    constexpr int kMost = 25;                             // with up to 7 bits before them
-    if (pitch_ >= std::ptrdiff_t{1} << 26) return false;  // the last lane's row, in 32 bits
+    constexpr int kMost = 25;  // with up to 7 bits before them
     const DI di;
     const VI lane = hn::ConvertTo(di, FloatsFrom(DF(), 0));
     const auto valid = hn::Lt(lane, hn::Set(di, rows));
     const VI n = hn::IfThenElseZero(valid, hn::Sub(last, first));
     if (MaskBits(di, hn::Gt(n, hn::Set(di, kMost))) != 0) return false;
+    if (pitch_ >= std::ptrdiff_t{1} << 26) return false;  // the last lane's row, in 32 bits
     const VI one = hn::Set(di, 1);
     const VI bits = hn::Shl(hn::Sub(hn::Shl(one, n), one), hn::And(first, hn::Set(di, 7)));
     const VI line = hn::Mul(lane, hn::Set(di, static_cast<std::int32_t>(pitch_)));

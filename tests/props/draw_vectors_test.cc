@@ -76,7 +76,7 @@ TEST(Vectors, OfASetAdmitItsCanonicalModel) {
     const Profile profile = *PresetProfile(api);
     const Profile canonical = *PresetProfile("d3d11-canonical");
     std::uint64_t joint = 0;
-    for (const TestVector& vector : VectorsFor(profile, kOneCaseIn > 1 ? 20 : 80)) {
+    for (const TestVector& vector : VectorsFor(profile, kOneCaseIn > 1 ? 40 : 80)) {
       std::vector<std::vector<std::size_t>> covered;
       for (std::size_t t = 0; t < vector.triangles.size(); ++t) {
         covered.push_back(CoveredBy(exact::Coverage(Alone(vector, t), canonical)));

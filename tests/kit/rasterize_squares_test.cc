@@ -22,39 +22,28 @@
 #include "exact/rational.h"
 #include "exact/square.h"
 #include "kit/rasterize.h"
+#include "tests/kit/owned_mesh.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
 
 namespace rasterproof {
 namespace {
 
-struct SquareMesh {
-  std::string name;
-  std::vector<float> positions = {};
-  std::vector<std::uint32_t> indices = {};
-  int width = 1;
-  int height = 1;
-
-  RasterMesh Mesh() const { return {positions, indices}; }
-  std::uint32_t Add(float x, float y, float z) {
-    positions.insert(positions.end(), {x, y, z});
-    return static_cast<std::uint32_t>(positions.size() / 3 - 1);
+std::size_t TrianglesOf(const OwnedMesh& mesh) { return mesh.indices.size() / 3; }
+std::size_t PositionOf(const OwnedMesh& mesh, std::size_t t, std::size_t k) {
+  return std::size_t{3} * mesh.indices[3 * t + k];
+}
+std::array<Point2, 3> CornersOf(const OwnedMesh& mesh, std::size_t t) {
+  std::array<Point2, 3> v{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t from = PositionOf(mesh, t, k);
+    v[k] = {mesh.positions[from], mesh.positions[from + 1]};
   }
-  std::array<Point2, 3> Corners(std::size_t t) const {
-    std::array<Point2, 3> v{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t from = std::size_t{3} * indices[3 * t + k];
-      v[k] = {positions[from], positions[from + 1]};
-    }
-    return v;
-  }
-  float Z(std::size_t t, std::size_t k) const {
-    return positions[std::size_t{3} * indices[3 * t + k] + 2];
-  }
-  std::size_t triangles() const { return indices.size() / 3; }
-  exact::SquareFrame Frame() const { return {.clip = {0, 0, width, height}}; }
-};
-
+  return v;
+}
+float ZOf(const OwnedMesh& mesh, std::size_t t, std::size_t k) {
+  return mesh.positions[PositionOf(mesh, t, k) + 2];
+}
 // 0: whole pixels, 1: half pixels, 2: small, 3: anywhere, 4: far, 5: of any exponent.
 float Coordinate(reference::RandomValues& random, int kind, double from, int size) {
   if (kind == 0) return static_cast<float>(random.Integer(-1, size + 1));
@@ -65,8 +54,8 @@ float Coordinate(reference::RandomValues& random, int kind, double from, int siz
   return random.LogUniform<float>(-140, 127);
 }
 
-SquareMesh Soup(std::uint64_t seed, int width, int height, int triangles) {
-  SquareMesh mesh{.name = "soup " + std::to_string(seed), .width = width, .height = height};
+OwnedMesh Soup(std::uint64_t seed, int width, int height, int triangles) {
+  OwnedMesh mesh{.name = "soup " + std::to_string(seed), .width = width, .height = height};
   reference::RandomValues random(seed);
   for (int t = 0; t < triangles; ++t) {
     const int kind = random.Integer(0, 6);  // 6: each coordinate of another
@@ -86,8 +75,8 @@ SquareMesh Soup(std::uint64_t seed, int width, int height, int triangles) {
 
 // A grid of shared vertices, some folded over; quads of either diagonal, triangles of either
 // winding, every vertex written once for each triangle if `is_split`.
-SquareMesh Grid(std::uint64_t seed, int columns, int rows, double step, bool is_split) {
-  SquareMesh mesh{.name = "grid " + std::to_string(seed), .width = 40, .height = 24};
+OwnedMesh Grid(std::uint64_t seed, int columns, int rows, double step, bool is_split) {
+  OwnedMesh mesh{.name = "grid " + std::to_string(seed), .width = 40, .height = 24};
   reference::RandomValues random(seed);
   const double wobble = random.Integer(0, 2) * 0.3 * step;
   const bool is_on_lattice = random.Integer(0, 2) == 0;
@@ -123,8 +112,8 @@ SquareMesh Grid(std::uint64_t seed, int columns, int rows, double step, bool is_
   return mesh;
 }
 
-SquareMesh Hard() {
-  SquareMesh mesh{.name = "no area, no number, zeros of both signs", .width = 8, .height = 8};
+OwnedMesh Hard() {
+  OwnedMesh mesh{.name = "no area, no number, zeros of both signs", .width = 8, .height = 8};
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const std::uint32_t a = mesh.Add(0.0F, 0.0F, 0), b = mesh.Add(8, 0, 0), c = mesh.Add(8, 8, 0);
   const std::uint32_t other_a = mesh.Add(-0.0F, -0.0F, 0), d = mesh.Add(0, 8, 0);
@@ -134,15 +123,15 @@ SquareMesh Hard() {
 }
 
 // The diagonal through pixels' corners, from where no guess is proved.
-SquareMesh FarDiagonal() {
-  SquareMesh mesh{.name = "far diagonal", .width = 8, .height = 8};
+OwnedMesh FarDiagonal() {
+  OwnedMesh mesh{.name = "far diagonal", .width = 8, .height = 8};
   const std::uint32_t a = mesh.Add(-0x1p29F, -0x1p29F, 0), b = mesh.Add(0x1p29F, 0x1p29F, 0);
   mesh.indices = {a, b, mesh.Add(0x1p29F, -0x1p29F, 0)};
   return mesh;
 }
 
-std::vector<SquareMesh> SquareMeshes(int count) {
-  std::vector<SquareMesh> meshes{Hard(), FarDiagonal(), {.name = "empty", .width = 3, .height = 2}};
+std::vector<OwnedMesh> SquareMeshes(int count) {
+  std::vector<OwnedMesh> meshes{Hard(), FarDiagonal(), {.name = "empty", .width = 3, .height = 2}};
   for (int k = 0; k < Cases(count); ++k) {
     const auto seed = static_cast<std::uint64_t>(k);
     meshes.push_back(
@@ -154,7 +143,7 @@ std::vector<SquareMesh> SquareMeshes(int count) {
 
 using Pixels = std::vector<bool>;
 
-Pixels Drawn(const SquareMesh& mesh, RasterOutput output) {
+Pixels Drawn(const OwnedMesh& mesh, RasterOutput output) {
   const auto pitch = static_cast<std::size_t>((mesh.width + 7) / 8);
   std::vector<std::byte> memory(pitch * static_cast<std::size_t>(mesh.height));
   Rasterize(mesh.Mesh(), {.output = output,
@@ -180,8 +169,9 @@ int Turn(const std::array<Point2, 3>& v) { return exact::EdgeSign(v[0], v[1], v[
 bool HasArea(const std::array<Point2, 3>& v) { return IsFiniteTriangle(v) && Turn(v) != 0; }
 
 // The pixels whose open squares the closed triangle, or segment, meets.
-void AddSquares(const SquareMesh& mesh, const std::array<Point2, 3>& v, Pixels& pixels) {
-  exact::ForEachSquareSpan(v, {.square = Closure::kOpen}, mesh.Frame(),
+void AddSquares(const OwnedMesh& mesh, const std::array<Point2, 3>& v, Pixels& pixels) {
+  exact::ForEachSquareSpan(v, {.square = Closure::kOpen},
+                           exact::SquareFrame{.clip = {0, 0, mesh.width, mesh.height}},
                            [&](int row, exact::Columns columns) {
                              for (int x = columns.first; x < columns.last; ++x) {
                                pixels[static_cast<std::size_t>(row * mesh.width + x)] = true;
@@ -189,24 +179,24 @@ void AddSquares(const SquareMesh& mesh, const std::array<Point2, 3>& v, Pixels& 
                            });
 }
 
-Pixels None(const SquareMesh& mesh) {
+Pixels None(const OwnedMesh& mesh) {
   return Pixels(static_cast<std::size_t>(mesh.width * mesh.height));
 }
 
-Pixels ExpectedOuter(const SquareMesh& mesh) {
+Pixels ExpectedOuter(const OwnedMesh& mesh) {
   Pixels outer = None(mesh);
-  for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-    if (HasArea(mesh.Corners(t))) AddSquares(mesh, mesh.Corners(t), outer);
+  for (std::size_t t = 0; t < TrianglesOf(mesh); ++t) {
+    if (HasArea(CornersOf(mesh, t))) AddSquares(mesh, CornersOf(mesh, t), outer);
   }
   return outer;
 }
 
 // By the words of kit/rasterize.h.
-Pixels ExpectedInner(const SquareMesh& mesh) {
+Pixels ExpectedInner(const OwnedMesh& mesh) {
   using End = std::pair<double, double>;
   std::map<std::pair<End, End>, int> turns;
-  for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-    std::array<Point2, 3> v = mesh.Corners(t);
+  for (std::size_t t = 0; t < TrianglesOf(mesh); ++t) {
+    std::array<Point2, 3> v = CornersOf(mesh, t);
     if (!HasArea(v)) continue;
     if (Turn(v) < 0) std::swap(v[0], v[1]);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -226,7 +216,7 @@ Pixels ExpectedInner(const SquareMesh& mesh) {
   return inner;
 }
 
-std::string FirstDifference(const SquareMesh& mesh, const Pixels& found, const Pixels& expected) {
+std::string FirstDifference(const OwnedMesh& mesh, const Pixels& found, const Pixels& expected) {
   for (std::size_t k = 0; k < found.size(); ++k) {
     if (found[k] == expected[k]) continue;
     const auto width = static_cast<std::size_t>(mesh.width);
@@ -237,7 +227,7 @@ std::string FirstDifference(const SquareMesh& mesh, const Pixels& found, const P
 }
 
 TEST(RasterizeSquares, OuterMaskIsTheOraclesOfOpenSquares) {
-  for (const SquareMesh& mesh : SquareMeshes(1000)) {
+  for (const OwnedMesh& mesh : SquareMeshes(1000)) {
     EXPECT_EQ(FirstDifference(mesh, Drawn(mesh, RasterOutput::kOuterMask), ExpectedOuter(mesh)),
               "");
   }
@@ -248,7 +238,7 @@ TEST(RasterizeSquares, OuterMaskOfATriangleIsTheOracles) {
   const char* const more = std::getenv("RASTERPROOF_SQUARES");
   const int triangles = more != nullptr ? std::atoi(more) : Cases(100000);
   for (int k = 0; k < triangles; ++k) {
-    const SquareMesh mesh = Soup(static_cast<std::uint64_t>(k), 1 + k % 37, 1 + k % 19, 1);
+    const OwnedMesh mesh = Soup(static_cast<std::uint64_t>(k), 1 + k % 37, 1 + k % 19, 1);
     ASSERT_EQ(FirstDifference(mesh, Drawn(mesh, RasterOutput::kOuterMask), ExpectedOuter(mesh)),
               "");
   }
@@ -256,7 +246,7 @@ TEST(RasterizeSquares, OuterMaskOfATriangleIsTheOracles) {
 
 TEST(RasterizeSquares, InnerMaskIsItsDefinition) {
   std::size_t set = 0;
-  for (const SquareMesh& mesh : SquareMeshes(1000)) {
+  for (const OwnedMesh& mesh : SquareMeshes(1000)) {
     const Pixels inner = Drawn(mesh, RasterOutput::kInnerMask);
     EXPECT_EQ(FirstDifference(mesh, inner, ExpectedInner(mesh)), "");
     set += static_cast<std::size_t>(std::ranges::count(inner, true));
@@ -275,17 +265,17 @@ bool Holds(std::array<Point2, 3> v, Point2 p) {
 }
 
 // Whether the triangle's plane at p is farther than z, exactly.
-bool IsFarther(const SquareMesh& mesh, std::size_t t, Point2 p, float z) {
+bool IsFarther(const OwnedMesh& mesh, std::size_t t, Point2 p, float z) {
   using exact::Rational;
-  const std::array<Point2, 3> v = mesh.Corners(t);
+  const std::array<Point2, 3> v = CornersOf(mesh, t);
   const auto edge = [](Point2 a, Point2 b, Point2 c) -> Rational {
     return (Rational(c.x) - Rational(a.x)) * (Rational(b.y) - Rational(a.y)) -
            (Rational(c.y) - Rational(a.y)) * (Rational(b.x) - Rational(a.x));
   };
   const Rational area = edge(v[0], v[1], v[2]);
-  const Rational sum = edge(v[1], v[2], p) * Rational(mesh.Z(t, 0)) +
-                       edge(v[2], v[0], p) * Rational(mesh.Z(t, 1)) +
-                       edge(v[0], v[1], p) * Rational(mesh.Z(t, 2));
+  const Rational sum = edge(v[1], v[2], p) * Rational(ZOf(mesh, t, 0)) +
+                       edge(v[2], v[0], p) * Rational(ZOf(mesh, t, 1)) +
+                       edge(v[0], v[1], p) * Rational(ZOf(mesh, t, 2));
   return sum / area > Rational(z);
 }
 
@@ -294,7 +284,7 @@ bool IsFarther(const SquareMesh& mesh, std::size_t t, Point2 p, float z) {
 TEST(RasterizeSquares, NoPointOfAnInnerSquareIsOpenOrFarther) {
   reference::RandomValues random(7);
   int points = 0;
-  for (const SquareMesh& mesh : SquareMeshes(64)) {
+  for (const OwnedMesh& mesh : SquareMeshes(64)) {
     const Pixels inner = Drawn(mesh, RasterOutput::kInnerMask);
     const auto width = static_cast<std::size_t>(mesh.width);
     std::vector<float> depths(inner.size(), std::numeric_limits<float>::infinity());
@@ -311,8 +301,8 @@ TEST(RasterizeSquares, NoPointOfAnInnerSquareIsOpenOrFarther) {
         const Point2 p{static_cast<double>(k % width) + random.Integer(1, 15) / 16.0,
                        static_cast<double>(k / width) + random.Integer(1, 15) / 16.0};
         bool is_held = false;
-        for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-          if (!Holds(mesh.Corners(t), p)) continue;
+        for (std::size_t t = 0; t < TrianglesOf(mesh); ++t) {
+          if (!Holds(CornersOf(mesh, t), p)) continue;
           is_held = true;
           EXPECT_FALSE(IsFarther(mesh, t, p, depths[k])) << mesh.name;
         }
@@ -324,7 +314,7 @@ TEST(RasterizeSquares, NoPointOfAnInnerSquareIsOpenOrFarther) {
   EXPECT_GT(points, 4000 / kOneCaseIn);
 }
 
-std::vector<float> InnerDepths(const SquareMesh& mesh, float before) {
+std::vector<float> InnerDepths(const OwnedMesh& mesh, float before) {
   std::vector<float> depths(static_cast<std::size_t>(mesh.width * mesh.height), before);
   Rasterize(mesh.Mesh(), {.output = RasterOutput::kInnerDepths,
                           .width = mesh.width,
@@ -335,8 +325,8 @@ std::vector<float> InnerDepths(const SquareMesh& mesh, float before) {
 }
 
 // A quad over 8 x 8 pixels whose z is x / 16, and beside it the ends.
-SquareMesh Ramp() {
-  SquareMesh mesh{.name = "ramp", .width = 10, .height = 9};
+OwnedMesh Ramp() {
+  OwnedMesh mesh{.name = "ramp", .width = 10, .height = 9};
   const std::uint32_t a = mesh.Add(0, 0, 0), b = mesh.Add(8, 0, 0.5F);
   const std::uint32_t c = mesh.Add(8, 8, 0.5F), d = mesh.Add(0, 8, 0);
   mesh.indices = {a, b, c, a, c, d};
@@ -360,7 +350,7 @@ TEST(RasterizeSquares, DepthsAreThoseOfTheFartherSideRoundedUp) {
 
 TEST(RasterizeSquares, DepthsKeepWhatIsNearerAndSquaresOfNoDepth) {
   for (const float nearer : InnerDepths(Ramp(), -1)) EXPECT_EQ(nearer, -1);
-  SquareMesh mesh = Ramp();
+  OwnedMesh mesh = Ramp();
   mesh.positions[2] = std::numeric_limits<float>::infinity();  // of both triangles
   for (const float untouched : InnerDepths(mesh, 2)) EXPECT_EQ(untouched, 2);
   // Of one that lies over a part of them.
@@ -375,7 +365,7 @@ TEST(RasterizeSquares, DepthsKeepWhatIsNearerAndSquaresOfNoDepth) {
 
 TEST(RasterizeSquares, AFoldHidesNoMoreThanItsTriangles) {
   // Front and back cancel in a sum of windings; their outline is drawn twice.
-  SquareMesh mesh{.name = "fold", .width = 6, .height = 6};
+  OwnedMesh mesh{.name = "fold", .width = 6, .height = 6};
   const std::uint32_t a = mesh.Add(0.5F, 0.5F, 0), b = mesh.Add(5.5F, 0.5F, 0);
   const std::uint32_t c = mesh.Add(0.5F, 5.5F, 0);
   mesh.indices = {a, b, c, a, c, b};
@@ -385,11 +375,11 @@ TEST(RasterizeSquares, AFoldHidesNoMoreThanItsTriangles) {
 }
 
 TEST(MarkEmptyTriangles, MarksThoseThatTheOracleSaysCoverNoCentre) {
-  for (const SquareMesh& mesh : SquareMeshes(64)) {
-    std::vector<std::uint8_t> is_empty(mesh.triangles(), 9);
+  for (const OwnedMesh& mesh : SquareMeshes(64)) {
+    std::vector<std::uint8_t> is_empty(TrianglesOf(mesh), 9);
     MarkEmptyTriangles(mesh.Mesh(), mesh.width, mesh.height, is_empty);
-    for (std::size_t t = 0; t < mesh.triangles(); ++t) {
-      SquareMesh one = mesh;
+    for (std::size_t t = 0; t < TrianglesOf(mesh); ++t) {
+      OwnedMesh one = mesh;
       one.indices.assign(mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * t),
                          mesh.indices.begin() + static_cast<std::ptrdiff_t>(3 * t + 3));
       const auto counts = Drawn(one, RasterOutput::kMask);
@@ -400,7 +390,7 @@ TEST(MarkEmptyTriangles, MarksThoseThatTheOracleSaysCoverNoCentre) {
   EXPECT_THROW(MarkEmptyTriangles(Ramp().Mesh(), 4, 4, too_few), InputError);
   EXPECT_THROW(MarkEmptyTriangles(Ramp().Mesh(), 4, 4, {static_cast<std::uint8_t*>(nullptr), 2}),
                InputError);
-  SquareMesh mesh = Ramp();
+  OwnedMesh mesh = Ramp();
   auto* const inside = reinterpret_cast<std::uint8_t*>(mesh.indices.data()) + 2;
   EXPECT_THROW(MarkEmptyTriangles(mesh.Mesh(), 4, 4, {inside, 2}), InputError);
 }

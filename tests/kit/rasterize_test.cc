@@ -20,6 +20,7 @@
 
 #include "core/error.h"
 #include "reference/kernels/kernel.h"
+#include "tests/kit/owned_mesh.h"
 #include "tests/kit/rasterize_languages.h"
 #include "tests/reference/kernel_definitions.h"
 #include "tests/reference/random_values.h"
@@ -35,19 +36,7 @@ constexpr std::array kOutputs{RasterOutput::kCounts, RasterOutput::kFacingCounts
 constexpr std::array kSets{InstructionSet::kBest, InstructionSet::kScalar, InstructionSet::kSse4,
                            InstructionSet::kAvx2, InstructionSet::kAvx512, InstructionSet::kNeon};
 
-struct Given {
-  std::string name;
-  std::vector<float> positions = {};
-  std::vector<std::uint32_t> indices = {};
-  int width = 1;
-  int height = 1;
-
-  RasterMesh Mesh() const { return {positions, indices}; }
-  void AddVertex(float x, float y, float z) {
-    indices.push_back(static_cast<std::uint32_t>(positions.size() / 3));
-    positions.insert(positions.end(), {x, y, z});
-  }
-};
+using Given = OwnedMesh;
 
 // Triangles of all sizes: on half pixels, anywhere, beside the target, of any exponent.
 Given RandomMesh(std::uint64_t seed, int width, int height, int triangles) {
@@ -69,7 +58,7 @@ Given RandomMesh(std::uint64_t seed, int width, int height, int triangles) {
     for (int k = 0; k < 3; ++k) {
       const float vx = coordinate(kind, x, width);
       const float vy = coordinate(kind, y, height);
-      given.AddVertex(vx, vy, static_cast<float>(random.Uniform(-1, 1)));
+      given.AddCorner(vx, vy, static_cast<float>(random.Uniform(-1, 1)));
     }
   }
   return given;
@@ -78,9 +67,9 @@ Given RandomMesh(std::uint64_t seed, int width, int height, int triangles) {
 Given NonFiniteMesh() {
   Given given{.name = "non-finite", .width = 9, .height = 5};
   for (const float bad : {NAN, std::numeric_limits<float>::infinity()}) {
-    given.AddVertex(0, 0, 0);
-    given.AddVertex(bad, 0, 0);
-    given.AddVertex(0, 90, 0);
+    given.AddCorner(0, 0, 0);
+    given.AddCorner(bad, 0, 0);
+    given.AddCorner(0, 90, 0);
   }
   return given;
 }
@@ -88,9 +77,9 @@ Given NonFiniteMesh() {
 std::vector<Given> Meshes() {
   Given deep{.name = "more layers than a byte counts", .width = 12, .height = 20};
   for (int i = 0; i < 300; ++i) {
-    deep.AddVertex(-1, -1, 0.5F);
-    deep.AddVertex(30, 10, 0.25F);
-    deep.AddVertex(-1, 21, 0.75F);
+    deep.AddCorner(-1, -1, 0.5F);
+    deep.AddCorner(30, 10, 0.25F);
+    deep.AddCorner(-1, 21, 0.75F);
   }
   return {RandomMesh(1, 1, 1, Cases(100)),
           RandomMesh(2, 67, 35, Cases(150)),
@@ -234,9 +223,9 @@ Given PixelsFrom(int first) {
     for (int x = first; x < given.width; ++x) {
       const auto left = static_cast<float>(x);
       const auto top = static_cast<float>(y);
-      given.AddVertex(left, top, 0);
-      given.AddVertex(left + 1, top, 0);
-      given.AddVertex(left + 0.5F, top + 1, 0);
+      given.AddCorner(left, top, 0);
+      given.AddCorner(left + 1, top, 0);
+      given.AddCorner(left + 0.5F, top + 1, 0);
     }
   }
   return given;

@@ -15,6 +15,7 @@
 #include "core/error.h"
 #include "core/float_mode.h"
 #include "kit/rasterize.h"
+#include "tests/kit/owned_mesh.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
 
@@ -24,19 +25,12 @@ namespace {
 constexpr int kWidth = 150;
 constexpr int kHeight = 90;
 
-struct WorkersMesh {
-  std::vector<float> positions;
-  std::vector<std::uint32_t> indices;
-
-  RasterMesh Mesh() const { return {positions, indices}; }
-};
-
 // Small triangles, far more than a worker takes at a time, every third one in a corner where they
 // are more than a byte counts; of few depths, zeros of both signs among them, so that the order of
 // equal ones shows.
-WorkersMesh ManyTriangles(int count) {
+OwnedMesh ManyTriangles(int count) {
   constexpr std::array kDepths{0.0F, -0.0F, 0.25F, 0.5F};
-  WorkersMesh mesh;
+  OwnedMesh mesh;
   reference::RandomValues random(35);
   for (int t = 0; t < count; ++t) {
     const int part = t % 3 == 0 ? 10 : 1;
@@ -44,10 +38,9 @@ WorkersMesh ManyTriangles(int count) {
     const double y = random.Uniform(-4, kHeight / part + 4);
     const float z = kDepths[static_cast<std::size_t>(random.Integer(0, 3))];
     for (int k = 0; k < 3; ++k) {
-      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size() / 3));
-      mesh.positions.insert(mesh.positions.end(),
-                            {static_cast<float>(x + random.Uniform(-6, 6)),
-                             static_cast<float>(y + random.Uniform(-6, 6)), z});
+      const auto vx = static_cast<float>(x + random.Uniform(-6, 6));
+      const auto vy = static_cast<float>(y + random.Uniform(-6, 6));
+      mesh.AddCorner(vx, vy, z);
     }
   }
   return mesh;
@@ -56,7 +49,7 @@ WorkersMesh ManyTriangles(int count) {
 using DrawInto = std::function<void(const RasterMesh&, const RasterTarget&)>;
 
 // All bytes of the target's memory, rows apart, onto what an earlier call drew.
-std::vector<std::byte> Bytes(const WorkersMesh& mesh, RasterOutput output, const DrawInto& draw,
+std::vector<std::byte> Bytes(const OwnedMesh& mesh, RasterOutput output, const DrawInto& draw,
                              int width = kWidth) {
   const bool is_mask = output >= RasterOutput::kInnerMask ? output != RasterOutput::kInnerDepths
                                                           : output == RasterOutput::kMask;
@@ -82,7 +75,7 @@ constexpr std::array kAllOutputs{RasterOutput::kCounts,    RasterOutput::kFacing
                                  RasterOutput::kOuterMask, RasterOutput::kInnerDepths};
 
 TEST(RasterWorkers, DrawTheSameBitsWhateverTheirNumber) {
-  const WorkersMesh mesh = ManyTriangles(25000);
+  const OwnedMesh mesh = ManyTriangles(25000);
   const auto counts =
       Bytes(mesh, RasterOutput::kCounts, [](const auto& m, const auto& t) { Rasterize(m, t); });
   ASSERT_GT(std::ranges::count(counts, std::byte{255}), 40);
@@ -105,7 +98,7 @@ TEST(RasterWorkers, DrawTheSameBitsWhateverTheirNumber) {
 }
 
 TEST(RasterWorkers, DrawTheSameBitsByThreadsOfTheCallersInAnyOrder) {
-  const WorkersMesh mesh = ManyTriangles(9000);
+  const OwnedMesh mesh = ManyTriangles(9000);
   int calls = 0;
   RasterWorkers backwards(5, [&](int count, const std::function<void(int)>& act) {
     for (int k = count - 1; k >= 0; --k) act(k);
@@ -124,7 +117,7 @@ TEST(RasterWorkers, DrawTheSameBitsByThreadsOfTheCallersInAnyOrder) {
 
 // Targets of another size or output after one another: memory is kept, and empty again.
 TEST(RasterWorkers, KeepNothingOfAnEarlierCall) {
-  const WorkersMesh mesh = ManyTriangles(500);
+  const OwnedMesh mesh = ManyTriangles(500);
   RasterWorkers workers(3);
   for (const RasterOutput output : kAllOutputs) {
     for (const int width : {kWidth, kWidth - 40, kWidth - 40, kWidth}) {
@@ -164,7 +157,7 @@ TEST(RasterWorkers, RefuseWhatCannotBe) {
 
 // What another call left half done is drawn by none.
 TEST(RasterWorkers, KeepNothingOfACallThatFailed) {
-  const WorkersMesh mesh = ManyTriangles(3000);
+  const OwnedMesh mesh = ManyTriangles(3000);
   int call = 0;
   RasterWorkers workers(2, [&](int count, const std::function<void(int)>& act) {
     if (++call == 3) throw std::domain_error("no merge today");
@@ -175,14 +168,14 @@ TEST(RasterWorkers, KeepNothingOfACallThatFailed) {
   };
   const auto alone = [](const RasterMesh& m, const RasterTarget& t) { Rasterize(m, t); };
   EXPECT_THROW(Bytes(mesh, RasterOutput::kCounts, by_workers), std::domain_error);
-  WorkersMesh beyond = ManyTriangles(300);
+  OwnedMesh beyond = ManyTriangles(300);
   const auto spoiled = [&](const RasterMesh& m, const RasterTarget& t) {
     std::vector<std::uint32_t> indices(m.indices.begin(), m.indices.end());
     indices.back() = 1000000;
     EXPECT_THROW(workers.Rasterize({m.positions, indices}, t), InputError);
   };
   Bytes(beyond, RasterOutput::kCounts, spoiled);
-  const WorkersMesh next = ManyTriangles(400);
+  const OwnedMesh next = ManyTriangles(400);
   EXPECT_TRUE(Bytes(next, RasterOutput::kCounts, by_workers) ==
               Bytes(next, RasterOutput::kCounts, alone));
 }
@@ -190,11 +183,10 @@ TEST(RasterWorkers, KeepNothingOfACallThatFailed) {
 // Subnormal depths are compared, whatever the caller's mode.
 TEST(RasterWorkers, MergeDepthsInTheUsualEnvironment) {
   constexpr std::array kNear{0x1p-148F, 0x1p-149F};
-  WorkersMesh mesh;
+  OwnedMesh mesh;
   for (const float z : kNear) {
     for (const auto& [x, y] : {std::pair(-9.0F, -9.0F), {900.0F, -9.0F}, {-9.0F, 900.0F}}) {
-      mesh.indices.push_back(static_cast<std::uint32_t>(mesh.positions.size() / 3));
-      mesh.positions.insert(mesh.positions.end(), {x, y, z});
+      mesh.AddCorner(x, y, z);
     }
   }
   RasterWorkers workers(2, [](int count, const std::function<void(int)>& act) {
@@ -221,7 +213,7 @@ TEST(RasterWorkers, MergeDepthsInTheUsualEnvironment) {
 }
 
 TEST(RasterWorkers, LetExceptionsOfTheCallersThreadsThrough) {
-  const WorkersMesh mesh = ManyTriangles(50);
+  const OwnedMesh mesh = ManyTriangles(50);
   RasterWorkers workers(
       2, [](int, const std::function<void(int)>&) { throw std::domain_error("no threads today"); });
   std::vector<std::byte> memory(kWidth * kHeight);

@@ -1,7 +1,7 @@
-// What the library's outputs of squares take, beside a mask of the same triangles in this run; and
-// which triangles the usual test for small ones drops wrongly.
+// What the library's outputs of squares take, beside a mask of the same triangles in this run;
+// which triangles the usual test for small ones drops wrongly; and what two workers gain.
 //
-// usage: square_cost
+// usage: library_cost
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -11,10 +11,10 @@
 #include <cstdio>
 #include <random>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "kit/rasterize.h"
+#include "tests/kit/owned_mesh.h"
 
 namespace rasterproof {
 namespace {
@@ -22,19 +22,14 @@ namespace {
 constexpr int kWidth = 1920;
 constexpr int kHeight = 1080;
 constexpr int kTimes = 9;
-
-struct NamedMesh {
-  std::string_view name;
-  std::vector<float> positions = {};
-  std::vector<std::uint32_t> indices = {};
-
-  RasterMesh Mesh() const { return {positions, indices}; }
-};
+// Of what most machines have.
+const InstructionSet kWorkersSet =
+    IsSupported(InstructionSet::kAvx2) ? InstructionSet::kAvx2 : InstructionSet::kBest;
 
 // A grid of quads in two triangles each; vertices moved by a part of a step, on a lattice if it is
 // not 0.
-NamedMesh GridMesh(std::string_view name, double step_x, double step_y, double lattice) {
-  NamedMesh mesh{.name = name};
+OwnedMesh GridMesh(const char* name, double step_x, double step_y, double lattice) {
+  OwnedMesh mesh{.name = name};
   std::mt19937_64 bits(35);
   const auto near = [&](double c, double step) {
     const double moved = c + (static_cast<double>(bits() >> 11) * 0x1p-53 - 0.5) * 0.4 * step;
@@ -81,7 +76,7 @@ double Least(const Act& act) {
   return least;
 }
 
-void Print(const NamedMesh& mesh) {
+void Print(const OwnedMesh& mesh) {
   const std::size_t triangles = mesh.indices.size() / 3;
   std::vector<std::byte> memory(std::size_t{4} * kWidth * (kHeight + 8));
   const auto seconds_of = [&](RasterOutput output) {
@@ -104,14 +99,45 @@ void Print(const NamedMesh& mesh) {
     return seconds * 1e9 / static_cast<double>(triangles);
   };
   std::printf(
-      "%-9.*s %8zu triangles; ns each: mask %.1f, inner mask %.1f, inner depths %.1f, outer mask "
+      "%-9s %8zu triangles; ns each: mask %.1f, inner mask %.1f, inner depths %.1f, outer mask "
       "%.1f\n          empty: %zu, MarkEmptyTriangles %.1f ns; the box test %.1f ns finds %zu and "
       "drops %zu that cover a centre\n",
-      static_cast<int>(mesh.name.size()), mesh.name.data(), triangles, per_triangle(mask),
+      mesh.name.c_str(), triangles, per_triangle(mask),
       per_triangle(seconds_of(RasterOutput::kInnerMask)),
       per_triangle(seconds_of(RasterOutput::kInnerDepths)),
       per_triangle(seconds_of(RasterOutput::kOuterMask)), empty, per_triangle(marked),
       per_triangle(dropped), found, wrong);
+}
+
+// Pairs by turns: one thread's time over two workers'.
+double Gain(const OwnedMesh& mesh, RasterOutput output, RasterWorkers& two) {
+  const std::size_t row = output == RasterOutput::kMask     ? kWidth / 8
+                          : output == RasterOutput::kCounts ? kWidth
+                                                            : 4 * kWidth;
+  std::vector<std::byte> memory(row * (kHeight + 8));
+  const RasterTarget target{
+      .output = output, .width = kWidth, .height = kHeight, .pitch = row, .memory = memory};
+  Clear(target);
+  const auto seconds = [](const auto& act) {
+    const auto begun = std::chrono::steady_clock::now();
+    act();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  };
+  std::array<double, 15> gains{};
+  for (double& gain : gains) {
+    const double one = seconds([&] { Rasterize(mesh.Mesh(), target, kWorkersSet); });
+    gain = one / seconds([&] { two.Rasterize(mesh.Mesh(), target, kWorkersSet); });
+  }
+  std::ranges::sort(gains);
+  return gains[gains.size() / 2];
+}
+
+void PrintGains(const OwnedMesh& mesh, RasterWorkers& two) {
+  std::printf(
+      "%-9s %8zu triangles; two workers gain: mask %.2f, counts %.2f, ids %.2f, depths %.2f\n",
+      mesh.name.c_str(), mesh.indices.size() / 3, Gain(mesh, RasterOutput::kMask, two),
+      Gain(mesh, RasterOutput::kCounts, two), Gain(mesh, RasterOutput::kIds, two),
+      Gain(mesh, RasterOutput::kDepths, two));
 }
 
 void PrintAll() {
@@ -121,6 +147,10 @@ void PrintAll() {
   Print(GridMesh("slivers", 0.15, 60, 0));
   Print(GridMesh("medium", 30, 30, 0));
   Print(GridMesh("large", 300, 300, 0));
+  RasterWorkers two(2);
+  PrintGains(GridMesh("tiny", 2.5, 2.5, 0), two);
+  PrintGains(GridMesh("small", 6, 6, 0), two);
+  PrintGains(GridMesh("medium", 20, 20, 0), two);
 }
 
 }  // namespace

@@ -18,11 +18,32 @@ static int is_top_left(const int64_t* a, const int64_t* b) {
   return a[1] < b[1] || (a[1] == b[1] && b[0] < a[0]);
 }
 
+/* The pixel of a place in one direction, no further than one past the target's end. */
+static int32_t pixel_of(int64_t place, int32_t size) {
+  if (place < 0) return 0;
+  return place / 256 < size ? (int32_t)(place / 256) : size;
+}
+
+/* Pixels [first, end) that the triangle may cover in one direction. */
+static void box_of(const int64_t v[3][2], int axis, int32_t size, int32_t* first, int32_t* end) {
+  int64_t least = v[0][axis];
+  int64_t most = v[0][axis];
+  for (int k = 1; k < 3; ++k) {
+    if (v[k][axis] < least) least = v[k][axis];
+    if (v[k][axis] > most) most = v[k][axis];
+  }
+  *first = pixel_of(least, size);
+  *end = pixel_of(most + 256, size);
+}
+
 static void draw_triangle(const int64_t v[3][2], int is_back, const rasterproof_scene* scene,
                           const rasterproof_target* target) {
   uint32_t* const counts = is_back ? target->back : target->front;
-  for (int32_t row = 0; row < scene->height; ++row) {
-    for (int32_t i = 0; i < scene->width; ++i) {
+  int32_t x0, x1, y0, y1;
+  box_of(v, 0, scene->width, &x0, &x1);
+  box_of(v, 1, scene->height, &y0, &y1);
+  for (int32_t row = y0; row < y1; ++row) {
+    for (int32_t i = x0; i < x1; ++i) {
       int inside = 1;
       for (int k = 0; k < 3; ++k) {
         const int64_t* const a = v[(k + 1) % 3];
@@ -66,7 +87,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .version = RASTERPROOF_PLUGIN_VERSION,
       .size = sizeof(rasterproof_plugin),
       .name = "example",
-      .summary = "8 subpixel bits in 64-bit integers, every pixel of the target",
+      .summary = "8 subpixel bits in 64-bit integers",
       .profile = "gl-canonical",
       .input = RASTERPROOF_FLOAT32,
       .coverage = RASTERPROOF_FACING_COUNTS,

@@ -94,6 +94,11 @@ void RequireSupported(Target target) {
                    "choose one of SupportedTargets()");
 }
 
+void RequireSize(const Surface& surface, int width, int height) {
+  if (surface.width() == width && surface.height() == height) return;
+  throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
+}
+
 // Small triangles are scattered over more pages of 4 KiB than a processor remembers. Where the
 // system does not know the advice, nothing is lost.
 void AdviseLargePages(std::byte* bytes, std::size_t size) {
@@ -201,9 +206,7 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
                      "it does not draw into the sink " + std::string(NameOf(surface.sink())),
                      "choose the sink mask");
   }
-  if (surface.width() != scene.width || surface.height() != scene.height) {
-    throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
-  }
+  RequireSize(surface, scene.width, scene.height);
   std::optional<FloatEnvironment> sane;  // the guesses' errors are those of rounding to nearest
   if (method == KernelMethod::kExact) sane.emplace();
   // A strip more than the width has, and rows for a tile that begins in the last one.
@@ -230,9 +233,27 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
                         .full_pitch = static_cast<std::ptrdiff_t>(full_pitch),
                         .tiers = tiers.data(),
                         .first_row = 0,
+                        .near_plane = NearPlane::kNone,
                         .on_span = nullptr,
                         .state = nullptr};
   draw(view);
+}
+
+void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
+  RequireSupported(target);
+  RequireSize(surface, scene.width, scene.height);
+  const FloatEnvironment sane;
+  KernelView view{};
+  view.vertices = &scene.vertices.data()->x;
+  view.indices = scene.indices.data();
+  view.triangles = scene.indices.size() / 3;
+  view.width = scene.width;
+  view.height = scene.height;
+  view.planes[0] = surface.plane(0);
+  view.planes[1] = surface.plane(1);
+  view.pitch = surface.pitch();
+  view.near_plane = scene.near_plane;
+  TableOf(target).clip[static_cast<std::size_t>(surface.sink())](view);
 }
 
 void DrawExact(Target target, Sink sink, KernelView view) {

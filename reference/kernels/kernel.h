@@ -27,6 +27,25 @@ struct KernelVertex {
   friend bool operator==(const KernelVertex&, const KernelVertex&) = default;
 };
 
+/// Clip space, already scaled to the viewport: (x / w, y / w) is the place on the target, y down.
+struct ClipVertex {
+  float x = 0;
+  float y = 0;
+  float z = 0;
+  float w = 1;
+};
+
+/// Triangles in clip space. Does not own what it sees.
+///
+/// Domain:     as KernelScene's.
+struct ClipScene {
+  std::span<const ClipVertex> vertices;
+  std::span<const std::uint32_t> indices;
+  int width = 1;
+  int height = 1;
+  NearPlane near_plane = NearPlane::kNone;
+};
+
 /// Triangles as three indices each, drawn in order. Does not own what it sees.
 ///
 /// Domain:     any float32, NaN and infinity included; every index within `vertices`, of which
@@ -125,6 +144,18 @@ class Surface {
 /// Domain:     a target of SupportedTargets(); Draws(method, surface.sink()); a surface of the
 ///             scene's size. InputError otherwise.
 void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface);
+
+/// Draws the scene onto what the surface holds already: covered is a pixel whose centre the triangle
+/// covers as the eye sees it, vertices at or behind the eye or not, if its z is not before the near
+/// plane. Exact, by the top-left rule; nothing is divided by w or clipped. Triangles with a NaN or
+/// an infinity in x, y or w, or in z where there is a near plane, cover nothing. Allocates nothing,
+/// and draws the same in whatever floating-point mode its caller left.
+///
+/// kDepth keeps the least z / w, which is affine on the screen: see kClipDepthError. A z that is not
+/// finite leaves it as it is.
+///
+/// Domain:     a target of SupportedTargets(); a surface of the scene's size. InputError otherwise.
+void DrawClip(Target target, const ClipScene& scene, Surface& surface);
 
 /// Draws rows first_row to height - 1 by kExact into memory of the caller's. Allocates nothing.
 ///

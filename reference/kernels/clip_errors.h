@@ -25,7 +25,8 @@ inline constexpr double kClipCrossingError = 0x1p-49;
 /// A guess that may be off by more than this decides nothing: its row is searched exactly.
 inline constexpr double kClipWorstGuess = 0x1p-10;
 
-/// Depth in double: a D that is less than this, of the sum of its terms' sizes, is computed exactly.
+/// Depth in double: a D of less than this, in units of the sum of its terms' sizes, is computed
+/// exactly: so 1 / |D| is off by a relative 2^-24 at most.
 inline constexpr double kClipPlainDeterminant = 0x1p-26;
 
 /// Of the depth z at (x, y), |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S) /

@@ -381,16 +381,15 @@ ClipVertex VertexOf(const Integers& v, float z) {
   return {static_cast<float>(v[0]), static_cast<float>(v[1]), z, static_cast<float>(v[2])};
 }
 
-// Two of either facing with a determinant of 1 or so between products of 2^60, and a sample on an
-// edge of theirs. Empty if the drawn edge has no length.
+// Two of either facing with a determinant of 1 or so between products of 2^59, and a sample on an
+// edge of theirs; some corners lie behind the eye. Empty if the drawn edge has no length.
 OwnedClipScene Slivers(RandomValues& random) {
   OwnedClipScene owned;
-  owned.width = owned.height = 13;
-  const Int128 scale = random.Integer(1 << 16, 1 << 18);
-  const Integers p{scale * (2 * random.Integer(0, 12) + 1), scale * (2 * random.Integer(0, 12) + 1),
-                   scale * 2};
-  const Integers a{random.Integer(0, 1 << 22), random.Integer(0, 1 << 22),
-                   random.Integer(1, 1 << 16)};
+  owned.width = 4001;
+  owned.height = 13;
+  const Integers p{2 * random.Integer(2000, 4000) + 1, 2 * random.Integer(0, 12) + 1, 2};
+  const Integers a{random.Integer(-(1 << 23), 1 << 23), random.Integer(-(1 << 23), 1 << 23),
+                   random.Integer(1, 1 << 23)};
   const Integers b{p[0] - a[0], p[1] - a[1], p[2] - a[2]};
   if (Dot(Cross(a, b), Cross(a, b)) == 0) return owned;
   const auto z = [&] { return static_cast<float>(random.Uniform(0, 1 << 16)); };
@@ -438,14 +437,14 @@ TEST(ClipKernel, DepthsStayWithinTheirBound) {
   }
   RandomValues random(12);
   DepthErrors slivers;
-  for (int i = 0; i < Cases(RunsMore() ? 10'000 : 400); ++i) slivers.Measure(Slivers(random));
+  for (int i = 0; i < Cases(RunsMore() ? 200 : 4); ++i) slivers.Measure(Slivers(random));
   std::cout << "largest error / bound of " << any.samples << " depths: " << any.worst
             << ", beyond the last rounding " << any.worst_beyond_rounding << "; of "
             << slivers.samples << " on slivers: " << slivers.worst << '\n';
   EXPECT_LE(any.worst, 1);
   EXPECT_LE(slivers.worst, 1);
   EXPECT_GT(any.samples, 1000);
-  EXPECT_GT(slivers.samples, Cases(200));
+  EXPECT_GT(slivers.samples, Cases(25));
   EXPECT_GT(any.worst, 0.5) << "the search looks where there is no error";
 }
 
@@ -453,7 +452,7 @@ TEST(ClipKernel, DepthsStayWithinTheirBound) {
 TEST(ClipKernel, FacingIsExactWhereRoundingLosesIt) {
   RandomValues random(11);
   std::int64_t covered = 0;
-  for (int i = 0; i < Cases(400); ++i) {
+  for (int i = 0; i < Cases(200); ++i) {
     const OwnedClipScene owned = Slivers(random);
     if (owned.indices.empty()) continue;
     ExpectExact(owned, "sliver " + std::to_string(i));
@@ -461,7 +460,7 @@ TEST(ClipKernel, FacingIsExactWhereRoundingLosesIt) {
     const CoverageCounts counts = exact::Coverage(SceneOf(owned), Profile{});
     for (std::size_t k = 0; k < counts.size(); ++k) covered += counts.Count(k);
   }
-  EXPECT_GT(covered, Cases(200));
+  EXPECT_GT(covered, Cases(100));
 }
 
 // Where every w is 1 it is the exact kernel of window space.

@@ -13,6 +13,8 @@ namespace rasterproof::reference::kernels {
 /// component, its product and two sums, 4.1 u, and the sizes' own rounding takes less than 0.5 u.
 /// So signs beyond it are certain. The same holds of D = V0 . (V2 x V1).
 /// Proof:      proofs/clip_kernel.g.
+/// Measured: largest error / bound 0.411, ClipKernel.GuessesAndFiltersStayWithinTheirErrors, seed
+///             seed 13.
 inline constexpr double kClipDotError = 0x1.4p-51;
 
 /// Of a guess -(ny y + nw) / nx + 1/2 + error, computed as y s + (f + (1/2 + error)), s = -ny / nx,
@@ -20,6 +22,7 @@ inline constexpr double kClipDotError = 0x1.4p-51;
 /// components, a reciprocal, a product), and a product and two sums round after them: less than
 /// 15 u. Of 16 u the unit's own rounding leaves 15.8 u.
 /// Proof:      proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.187, by the same test.
 inline constexpr double kClipCrossingError = 0x1p-49;
 
 /// A guess that may be off by more than this decides nothing: its row is searched exactly.
@@ -29,12 +32,14 @@ inline constexpr double kClipWorstGuess = 0x1p-10;
 /// exactly: so 1 / |D| is off by a relative 2^-24 at most.
 inline constexpr double kClipPlainDeterminant = 0x1p-26;
 
-/// Of the depth z at (x, y), |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S) /
-/// |D|: M is the sum over corners k of |z_k| (|N.x| x + |N.y| y + |N.w|), N of the opposite edge, S
-/// the sum of the sizes of D's three terms. A coefficient carries its N, a product, two sums and the
-/// quotient, and then a product and two sums: 8.1 u of M; D is off by 4.1 u of S, or by u. Then z
-/// rounds to float32.
+/// Of the depth z at (x, y), |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S)
+/// / |D|: M is the sum over corners k of |z_k| (|N.x| x + |N.y| y + |N.w|), N of the opposite edge,
+/// S the sum of the sizes of D's three terms. A coefficient carries its N, a product, two sums and
+/// the quotient, and then a product and two sums: 8.1 u of M; D is off by 4.1 u of S, or by u. Then
+/// z rounds to float32.
 /// Proof:      proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.995, of what comes before the last rounding 0.049,
+///             ClipKernel.DepthsStayWithinTheirBound.
 inline constexpr double kClipDepthError = 0x1.2p-50;
 
 }  // namespace rasterproof::reference::kernels

@@ -114,6 +114,13 @@ void AdviseLargePages(std::byte* bytes, std::size_t size) {
 #endif
 }
 
+void Draw(Target target, KernelFunction draw, KernelView view) {
+  RequireSupported(target);
+  std::array<std::uint64_t, 3> tiers{};
+  view.tiers = tiers.data();
+  draw(view);
+}
+
 template <class T>
 T Load(const std::byte* bytes) {
   T value;
@@ -253,21 +260,23 @@ void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
   view.planes[1] = surface.plane(1);
   view.pitch = surface.pitch();
   view.near_plane = scene.near_plane;
-  TableOf(target).clip[static_cast<std::size_t>(surface.sink())](view);
+  DrawClip(target, surface.sink(), view);
 }
 
 void DrawExact(Target target, Sink sink, KernelView view) {
-  RequireSupported(target);
-  std::array<std::uint64_t, 3> tiers{};
-  view.tiers = tiers.data();
-  FunctionOf(KernelMethod::kExact, target, sink)(view);
+  Draw(target, FunctionOf(KernelMethod::kExact, target, sink), view);
+}
+
+void DrawClip(Target target, Sink sink, KernelView view) {
+  Draw(target, TableOf(target).clip[static_cast<std::size_t>(sink)], view);
 }
 
 void DrawExactSpans(Target target, KernelView view) {
-  RequireSupported(target);
-  std::array<std::uint64_t, 3> tiers{};
-  view.tiers = tiers.data();
-  TableOf(target).exact_spans(view);
+  Draw(target, TableOf(target).exact_spans, view);
+}
+
+void DrawClipSpans(Target target, KernelView view) {
+  Draw(target, TableOf(target).clip_spans, view);
 }
 
 void Fill(Target target, Surface& surface) {

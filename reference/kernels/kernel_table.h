@@ -44,7 +44,8 @@ struct KernelView {
   // kExact and clip kernels alone: rows above this one are not drawn.
   int first_row;
   NearPlane near_plane;  ///< clip kernels alone
-  // KernelTable::exact_spans alone, which has no planes: what is called with every span, in order.
+  // exact_spans and clip_spans alone, which have no planes: what is called with every span, in
+  // order.
   void (*on_span)(const void* state, const KernelSpan& span);
   const void* state;
 };
@@ -96,6 +97,7 @@ struct KernelTable {
   KernelFunction fill[5];     ///< by Sink: see Fill()
   KernelFunction exact_spans;
   KernelFunction clip[5];  ///< by Sink
+  KernelFunction clip_spans;
 };
 
 extern const KernelTable kScalarKernels;

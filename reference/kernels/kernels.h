@@ -39,6 +39,7 @@ constexpr KernelTable kKernels = {
     &DrawExact<SpanSink>,
     {&DrawClip<PixelSink<Count8>>, &DrawClip<PixelSink<Facing>>, &DrawClip<MaskSink>,
      &DrawClip<PixelSink<Id>>, &DrawClip<PixelSink<ClipDepth>>},
+    &DrawClip<SpanSink>,
 };
 
 }  // namespace rasterproof::reference::kernels::HWY_NAMESPACE

@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/float_environment.h"
 #include "reference/plan.h"
+#include "reference/proved.h"
 #include "reference/whole_scene.h"
 
 namespace rasterproof::subjects {
@@ -74,6 +75,7 @@ class ClipKernelSubject final : public Subject {
     info_.takes_window = false;
     info_.takes_clip = true;
     info_.states_exact = true;
+    info_.proofs = {reference::ClipKernelProof()};
     info_.profile.coordinate_limit = double{std::numeric_limits<float>::max()};
   }
 

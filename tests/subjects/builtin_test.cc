@@ -45,8 +45,9 @@ TEST(BuiltinTest, EveryMethodIsASubjectAndTheCanonicalOnesTwice) {
         << name;
     expected += method.can_be_canonical ? 2 : 1;
   }
-  for (const char* const name : {"kernel-incremental", "kernel-tiles", "kernel-fixed-tiles",
-                                 "kernel-scanline", "kernel-exact-unsafe", "kernel-clip", "planned"}) {
+  for (const char* const name :
+       {"kernel-incremental", "kernel-tiles", "kernel-fixed-tiles", "kernel-scanline",
+        "kernel-exact-unsafe", "kernel-clip", "planned"}) {
     EXPECT_EQ(std::ranges::count(names, name), 1) << name;
     ++expected;
   }

@@ -13,8 +13,7 @@ namespace rasterproof::reference::kernels {
 /// component, its product and two sums, 4.1 u, and the sizes' own rounding takes less than 0.5 u.
 /// So signs beyond it are certain. The same holds of D = V0 . (V2 x V1).
 /// Proof:      proofs/clip_kernel.g.
-/// Measured: largest error / bound 0.411, ClipKernel.GuessesAndFiltersStayWithinTheirErrors, seed
-///             seed 13.
+/// Measured:   largest error / bound 0.411, ClipKernel.GuessesAndFiltersStayWithinTheirErrors.
 inline constexpr double kClipDotError = 0x1.4p-51;
 
 /// Of a guess -(ny y + nw) / nx + 1/2 + error, computed as y s + (f + (1/2 + error)), s = -ny / nx,

@@ -30,13 +30,29 @@
 
 namespace rasterproof {
 
-/// Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
+/// What the positions of a mesh are. Window space: x, y, z of each vertex, in pixels, x right, y
+/// down; pixel (i, j) has its centre at (i + 1/2, j + 1/2). Clip space: x, y, z, w of each, already
+/// scaled to the viewport, so that (x / w, y / w) is its place in the window and z / w its depth;
+/// any sign of w.
+///
+/// In clip space a pixel is covered if the ray through its centre meets the triangle before the
+/// eye, exactly, vertices at or behind the eye or not: nothing is divided by w, and nothing is
+/// clipped. The near plane keeps what has such a z.
+enum class RasterSpace : std::uint8_t {
+  kWindow,
+  kClip,           ///< without a near plane
+  kClipNearZero,   ///< 0 <= z: Vulkan, Direct3D
+  kClipNearMinusW  ///< -w <= z: OpenGL
+};
+
+/// Triangles as indices of vertices.
 ///
 /// Domain:     any float32; at most 2^29 vertices, fewer than 2^32 - 1 triangles. Both aligned to 4
 ///             bytes, and apart from the target's memory, first row to last one's last pixel.
 struct RasterMesh {
-  std::span<const float> positions = {};        ///< x, y, z of each vertex; z for depths alone
+  std::span<const float> positions = {};        ///< see RasterSpace; z for depths and near planes
   std::span<const std::uint32_t> indices = {};  ///< three of each triangle
+  RasterSpace space = RasterSpace::kWindow;
 };
 
 /// The data kept of covered pixels. Little-endian; pixels of 4 bytes are aligned.
@@ -44,10 +60,13 @@ struct RasterMesh {
 /// The z of a triangle at a pixel is that of the plane through its vertices at the pixel's centre,
 /// in float32, never less than their least z nor more than their greatest; their least throughout
 /// where float32 finds no plane, because the area rounds to zero or a coefficient is 2^100 or more.
-/// A triangle with a z that is a NaN or an infinity leaves depths as they are.
+/// A triangle with a z that is a NaN or an infinity leaves depths as they are. In clip space the z
+/// of a pixel is z / w of the triangle there, computed in double and rounded, not cut to the
+/// vertices' range; a triangle with a NaN or an infinity in w, or in z where there is a near plane,
+/// covers nothing.
 ///
-/// The last three are of pixels' squares in place of their centres, and of the mesh as a whole. A
-/// triangle without area meets no square.
+/// The last three are of window space, of pixels' squares in place of their centres, and of the
+/// mesh as a whole. A triangle without area meets no square.
 /// - kInnerMask never covers too much, and common edges take nothing from it: set are pixels whose
 ///   centre is covered and whose square no edge of the outline meets. The outline is what is left
 ///   of all triangles' edges, each triangle counter-clockwise on screen, after pairs of opposite

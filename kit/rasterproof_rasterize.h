@@ -17,7 +17,7 @@ extern "C" {
 #endif
 
 /* Of this header; rasterproof_raster_version() is the library's. They must be equal. */
-#define RASTERPROOF_RASTER_VERSION 2u
+#define RASTERPROOF_RASTER_VERSION 3u
 uint32_t rasterproof_raster_version(void);
 
 typedef enum rasterproof_raster_status {
@@ -52,13 +52,22 @@ enum rasterproof_raster_set {
   RASTERPROOF_RASTER_NEON = 5
 };
 
-/* Window space: pixels, x right, y down; pixel (i, j) has its centre at (i + 1/2, j + 1/2).
- * Positions and indices are aligned to 4 bytes and do not overlap the target's memory. */
+/* `space` below: see RasterSpace. */
+enum rasterproof_raster_space {
+  RASTERPROOF_RASTER_WINDOW = 0, /* pixels, x right, y down; pixel (i, j) has its centre at
+                                    (i + 1/2, j + 1/2) */
+  RASTERPROOF_RASTER_CLIP = 1,   /* scaled to the viewport, any sign of w, without a near plane */
+  RASTERPROOF_RASTER_CLIP_NEAR_ZERO = 2,   /* 0 <= z: Vulkan, Direct3D */
+  RASTERPROOF_RASTER_CLIP_NEAR_MINUS_W = 3 /* -w <= z: OpenGL */
+};
+
+/* Positions and indices are aligned to 4 bytes and do not overlap the target's memory. */
 typedef struct rasterproof_raster_mesh {
-  const float* positions; /* x, y, z of each vertex */
+  const float* positions; /* x, y, z of each vertex; in clip space x, y, z, w */
   size_t vertex_count;
   const uint32_t* indices; /* three of each triangle */
   size_t triangle_count;
+  uint32_t space; /* enum rasterproof_raster_space */
 } rasterproof_raster_mesh;
 
 /* Memory of the caller's, rows from the top. */

@@ -17,6 +17,7 @@
 #include "reference/method_rows.h"
 #include "reference/proved.h"
 #include "reference/sample_grid.h"
+#include "reference/whole_scene.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -174,6 +175,13 @@ Method Row(std::string_view name, std::string_view summary, Precision input, con
   return row;
 }
 
+// What float32 holds goes to the kernel of clip space: the same signs, many rows at a time.
+bool DrawWhole(const Scene& scene, const RasterOptions& options, CoverageCounts& counts) {
+  if (!KernelsPay(scene) || !ClipKernelTakes(scene)) return false;
+  DrawByClipKernel(scene, options, counts);
+  return true;
+}
+
 std::array<Method, 5> MakeRows() {
   using Float = FloatHomogeneousEdge<float>;
   using Double = FloatHomogeneousEdge<double>;
@@ -186,13 +194,15 @@ std::array<Method, 5> MakeRows() {
           StagesOf<ThroughTheEye<Float>>()),
       Row("hom-f64", "(V_j x V_i) . p with the determinant's sign, float64", Precision::kFloat64,
           StagesOf<ThroughTheEye<Double>>()),
-      Row("hom-exact", "(V_j x V_i) . p: float64 filter, then exact integers", Precision::kFloat64,
-          StagesOf<ThroughTheEye<ExactHomogeneousEdge>>())};
+      Row("hom-exact", "(V_j x V_i) . p: float64 filter, then exact integers; float32 by vectors",
+          Precision::kFloat64, StagesOf<ThroughTheEye<ExactHomogeneousEdge>>())};
   // The projected form divides and then is the direct one; the filter of hom-exact rests on the
   // bound of the others.
   rows.front().info.proofs = EdgeProofs(EdgeArithmetic::kDirect);
   for (std::size_t k = 1; k < rows.size(); ++k) rows[k].info.proofs = HomogeneousProofs();
   rows.back().info.states_exact = true;
+  rows.back().info.proofs.push_back(ClipKernelProof());
+  rows.back().whole = &DrawWhole;
   return rows;
 }
 

@@ -95,6 +95,13 @@ std::vector<Proof> HomogeneousProofs() {
        "homogeneous.g"}};
 }
 
+Proof ClipKernelProof() {
+  return {
+      "crossings of rows and edges of (x, y, w), their values and D = V0 . (V2 x V1) are off by "
+      "less than the errors beyond which they decide",
+      "clip_kernel.g"};
+}
+
 std::vector<Proof> BarycentricProofs() {
   return {{"barycentrics over the sum of edge values of one sign add up to 1 within (3 + 8u) u, "
            "underflow apart",

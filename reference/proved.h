@@ -26,6 +26,9 @@ std::vector<Proof> CrossingProofs();
 /// Of edges of (x, y, w) vertices, by V_j x V_i.
 std::vector<Proof> HomogeneousProofs();
 
+/// Of the kernel of clip space: what it guesses, and the filters of its exact decisions.
+Proof ClipKernelProof();
+
 /// Of ReferenceBarycentrics, in either precision.
 std::vector<Proof> BarycentricProofs();
 

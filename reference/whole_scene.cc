@@ -25,6 +25,27 @@ void AddPlane(const std::uint32_t* plane, std::ptrdiff_t pitch, const PixelRect&
   }
 }
 
+std::vector<std::uint32_t> IndicesOf(const Scene& scene) {
+  std::vector<std::uint32_t> indices;
+  indices.reserve(3 * scene.triangles.size());
+  for (const Triangle& t : scene.triangles) {
+    for (const std::int32_t index : t) indices.push_back(static_cast<std::uint32_t>(index));
+  }
+  return indices;
+}
+
+/// Adds what a surface of facings holds.
+void AddSurface(kernels::Surface& surface, const Scene& scene, const DrawOptions& options,
+                CoverageCounts& counts) {
+  const PixelRect area = DrawArea(scene, options);
+  const auto add = [&](int plane, std::vector<std::uint32_t>& to) {
+    AddPlane(reinterpret_cast<const std::uint32_t*>(surface.plane(plane)), surface.pitch(), area,
+             counts.width, to.data());
+  };
+  if (options.cull != Cull::kFront) add(0, counts.front);
+  if (options.cull != Cull::kBack) add(1, counts.back);
+}
+
 }  // namespace
 
 bool KernelsTake(const Scene& scene) {
@@ -50,21 +71,31 @@ void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOp
   for (const Vertex& v : scene.vertices) {
     vertices.push_back({static_cast<float>(v.x), static_cast<float>(v.y), 0});
   }
-  std::vector<std::uint32_t> indices;
-  indices.reserve(3 * scene.triangles.size());
-  for (const Triangle& t : scene.triangles) {
-    for (const std::int32_t index : t) indices.push_back(static_cast<std::uint32_t>(index));
-  }
+  const std::vector<std::uint32_t> indices = IndicesOf(scene);
   kernels::Surface surface(kernels::Sink::kFacing, scene.width, scene.height);
   kernels::Draw(method, kernels::SupportedTargets().back(),
                 {vertices, indices, scene.width, scene.height}, surface);
-  const PixelRect area = DrawArea(scene, options);
-  const auto add = [&](int plane, std::vector<std::uint32_t>& to) {
-    AddPlane(reinterpret_cast<const std::uint32_t*>(surface.plane(plane)), surface.pitch(), area,
-             counts.width, to.data());
-  };
-  if (options.cull != Cull::kFront) add(0, counts.front);
-  if (options.cull != Cull::kBack) add(1, counts.back);
+  AddSurface(surface, scene, options, counts);
+}
+
+bool ClipKernelTakes(const Scene& scene) {
+  return scene.clip_space && std::ranges::all_of(scene.vertices, [](const Vertex& v) {
+           return IsFloat32(v.x) && IsFloat32(v.y) && IsFloat32(v.w);
+         });
+}
+
+void DrawByClipKernel(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+  std::vector<kernels::ClipVertex> vertices;
+  vertices.reserve(scene.vertices.size());
+  for (const Vertex& v : scene.vertices) {
+    vertices.push_back(
+        {static_cast<float>(v.x), static_cast<float>(v.y), 0, static_cast<float>(v.w)});
+  }
+  const std::vector<std::uint32_t> indices = IndicesOf(scene);
+  kernels::Surface surface(kernels::Sink::kFacing, scene.width, scene.height);
+  kernels::DrawClip(kernels::SupportedTargets().back(),
+                    {vertices, indices, scene.width, scene.height}, surface);
+  AddSurface(surface, scene, options, counts);
 }
 
 }  // namespace rasterproof::reference

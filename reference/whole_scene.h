@@ -12,6 +12,9 @@ namespace rasterproof::reference {
 /// Returns whether the kernels take the scene: window space, and no coordinate that float32 rounds.
 bool KernelsTake(const Scene& scene);
 
+/// Returns whether the kernel of clip space takes it: as above, w too.
+bool ClipKernelTakes(const Scene& scene);
+
 /// Returns whether a kernel repays the separate surface that it draws on: with some dozens of
 /// triangles, and not many pixels for each. It is measured by `rasterproof plan --measure`.
 bool KernelsPay(const Scene& scene);
@@ -23,6 +26,11 @@ bool KernelsPay(const Scene& scene);
 ///             pixel.
 void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
                   CoverageCounts& counts);
+
+/// The same by the kernel of clip space, without a near plane.
+///
+/// Domain:     ClipKernelTakes(scene); counts of the scene's size, one sample a pixel.
+void DrawByClipKernel(const Scene& scene, const DrawOptions& options, CoverageCounts& counts);
 
 }  // namespace rasterproof::reference
 

@@ -21,6 +21,12 @@ struct Plane {
   float least, most;
 };
 
+/// z / w of a triangle in clip space, an affine function of the screen: (zc + zy y) + zx x in
+/// double. NaN throughout if a vertex's z is not finite.
+struct ClipPlane {
+  double zc, zx, zy;
+};
+
 /// Pixels [x0, x1) x [y0, y1) of the target.
 struct Box {
   int x0, x1, y0, y1;
@@ -201,8 +207,8 @@ HWY_INLINE std::uint64_t SmallBoxMask(const Block& block, int i) {
 
 /// Calls set_up(indices), which fills the block, and draw(i, triangle) for each one drawn, in
 /// order. set_up may read the indices of kBlock triangles; those beyond the last have no area.
-template <class SetUp, class DrawTriangle>
-HWY_INLINE void ForEachTriangle(const KernelView& view, Block& block, const SetUp& set_up,
+template <class SomeBlock, class SetUp, class DrawTriangle>
+HWY_INLINE void ForEachTriangle(const KernelView& view, SomeBlock& block, const SetUp& set_up,
                                 const DrawTriangle& draw) {
   std::uint32_t last[3 * kBlock] = {};
   for (std::size_t first = 0; first < view.triangles; first += kBlock) {

@@ -94,6 +94,11 @@ void RequireSupported(Target target) {
                    "choose one of SupportedTargets()");
 }
 
+void RequireSize(const Surface& surface, int width, int height) {
+  if (surface.width() == width && surface.height() == height) return;
+  throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
+}
+
 // Small triangles are scattered over more pages of 4 KiB than a processor remembers. Where the
 // system does not know the advice, nothing is lost.
 void AdviseLargePages(std::byte* bytes, std::size_t size) {
@@ -107,6 +112,13 @@ void AdviseLargePages(std::byte* bytes, std::size_t size) {
   (void)bytes;
   (void)size;
 #endif
+}
+
+void Draw(Target target, KernelFunction draw, KernelView view) {
+  RequireSupported(target);
+  std::array<std::uint64_t, 3> tiers{};
+  view.tiers = tiers.data();
+  draw(view);
 }
 
 template <class T>
@@ -201,9 +213,7 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
                      "it does not draw into the sink " + std::string(NameOf(surface.sink())),
                      "choose the sink mask");
   }
-  if (surface.width() != scene.width || surface.height() != scene.height) {
-    throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
-  }
+  RequireSize(surface, scene.width, scene.height);
   std::optional<FloatEnvironment> sane;  // the guesses' errors are those of rounding to nearest
   if (method == KernelMethod::kExact) sane.emplace();
   // A strip more than the width has, and rows for a tile that begins in the last one.
@@ -230,23 +240,43 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
                         .full_pitch = static_cast<std::ptrdiff_t>(full_pitch),
                         .tiers = tiers.data(),
                         .first_row = 0,
+                        .near_plane = NearPlane::kNone,
                         .on_span = nullptr,
                         .state = nullptr};
   draw(view);
 }
 
-void DrawExact(Target target, Sink sink, KernelView view) {
+void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
   RequireSupported(target);
-  std::array<std::uint64_t, 3> tiers{};
-  view.tiers = tiers.data();
-  FunctionOf(KernelMethod::kExact, target, sink)(view);
+  RequireSize(surface, scene.width, scene.height);
+  const FloatEnvironment sane;
+  KernelView view{};
+  view.vertices = &scene.vertices.data()->x;
+  view.indices = scene.indices.data();
+  view.triangles = scene.indices.size() / 3;
+  view.width = scene.width;
+  view.height = scene.height;
+  view.planes[0] = surface.plane(0);
+  view.planes[1] = surface.plane(1);
+  view.pitch = surface.pitch();
+  view.near_plane = scene.near_plane;
+  DrawClip(target, surface.sink(), view);
+}
+
+void DrawExact(Target target, Sink sink, KernelView view) {
+  Draw(target, FunctionOf(KernelMethod::kExact, target, sink), view);
+}
+
+void DrawClip(Target target, Sink sink, KernelView view) {
+  Draw(target, TableOf(target).clip[static_cast<std::size_t>(sink)], view);
 }
 
 void DrawExactSpans(Target target, KernelView view) {
-  RequireSupported(target);
-  std::array<std::uint64_t, 3> tiers{};
-  view.tiers = tiers.data();
-  TableOf(target).exact_spans(view);
+  Draw(target, TableOf(target).exact_spans, view);
+}
+
+void DrawClipSpans(Target target, KernelView view) {
+  Draw(target, TableOf(target).clip_spans, view);
 }
 
 void Fill(Target target, Surface& surface) {

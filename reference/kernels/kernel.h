@@ -27,6 +27,25 @@ struct KernelVertex {
   friend bool operator==(const KernelVertex&, const KernelVertex&) = default;
 };
 
+/// Clip space, already scaled to the viewport: (x / w, y / w) is the place on the target, y down.
+struct ClipVertex {
+  float x = 0;
+  float y = 0;
+  float z = 0;
+  float w = 1;
+};
+
+/// Triangles in clip space. Does not own what it sees.
+///
+/// Domain:     as KernelScene's.
+struct ClipScene {
+  std::span<const ClipVertex> vertices;
+  std::span<const std::uint32_t> indices;
+  int width = 1;
+  int height = 1;
+  NearPlane near_plane = NearPlane::kNone;
+};
+
 /// Triangles as three indices each, drawn in order. Does not own what it sees.
 ///
 /// Domain:     any float32, NaN and infinity included; every index within `vertices`, of which
@@ -126,15 +145,31 @@ class Surface {
 ///             scene's size. InputError otherwise.
 void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface);
 
+/// Draws the scene onto what the surface holds already: covered is a pixel whose centre the
+/// triangle covers as the eye sees it, vertices at or behind the eye or not, if its z is not before
+/// the near plane. Exact, by the top-left rule; nothing is divided by w or clipped. Triangles with
+/// a NaN or an infinity in x, y or w, or in z where there is a near plane, cover nothing. Allocates
+/// nothing, and draws the same in whatever floating-point mode its caller left.
+///
+/// kDepth keeps the least z / w, which is affine on the screen: see kClipDepthError. A z that is
+/// not finite leaves it as it is.
+///
+/// Domain:     a target of SupportedTargets(); a surface of the scene's size. InputError otherwise.
+void DrawClip(Target target, const ClipScene& scene, Surface& surface);
+
 /// Draws rows first_row to height - 1 by kExact into memory of the caller's. Allocates nothing.
 ///
 /// Domain:     a target of SupportedTargets(); what the view names; room as sinks.h wants it: 7
 ///             rows below the last one drawn, and 64 pixels behind.
 void DrawExact(Target target, Sink sink, KernelView view);
 
+/// The same by the kernel of clip space: view.near_plane, and vertices of four coordinates.
+void DrawClip(Target target, Sink sink, KernelView view);
+
 /// Calls view.on_span with what kExact covers, triangle by triangle, each from its top row down. It
 /// may throw.
 void DrawExactSpans(Target target, KernelView view);
+void DrawClipSpans(Target target, KernelView view);
 
 /// Writes every pixel of the surface once, row by row, as one triangle over all of it would: adds 1
 /// (kFacing: to the front), stores a bit or an id, or takes the lesser depth: the store limit.

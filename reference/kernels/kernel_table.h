@@ -17,9 +17,13 @@ struct KernelSpan {
   int row, x0, x1;
 };
 
+/// Which points of a triangle in clip space are kept by their z: 0 <= z as in Vulkan and Direct3D,
+/// -w <= z as in OpenGL, z itself among them.
+enum class NearPlane : std::uint8_t { kNone, kZero, kMinusW };
+
 /// A scene and a surface as a kernel sees them.
 struct KernelView {
-  const float* vertices;         ///< x, y, z of each
+  const float* vertices;         ///< x, y, z of each; of clip kernels x, y, z, w
   const std::uint32_t* indices;  ///< three of each triangle
   std::size_t triangles;
   int width;
@@ -37,9 +41,11 @@ struct KernelView {
   std::uint64_t* tiers;  ///< kExact counts here: rows decided exactly, by expansions, edges of
                          ///< triangles beyond its guesses
 
-  // kExact alone: rows above this one are not drawn.
+  // kExact and clip kernels alone: rows above this one are not drawn.
   int first_row;
-  // KernelTable::exact_spans alone, which has no planes: what is called with every span, in order.
+  NearPlane near_plane;  ///< clip kernels alone
+  // exact_spans and clip_spans alone, which have no planes: what is called with every span, in
+  // order.
   void (*on_span)(const void* state, const KernelSpan& span);
   const void* state;
 };
@@ -58,6 +64,31 @@ bool IsCentreAtOrRight(const ExactEdge& edge, double x, double y);
 /// none is. Exact, as above.
 int ExactCrossing(const ExactEdge& edge, int row, int width);
 
+/// A triangle in clip space, of float32 coordinates: no product of two of them is rounded, and
+/// nothing that is computed of them in double over- or underflows.
+struct ClipTriangle {
+  double x[3], y[3], z[3], w[3];
+  NearPlane near_plane;
+};
+
+/// "Edge" number 3 is the near plane, where it cuts the triangle; edge e goes from corner e to the
+/// next one.
+constexpr int kNearEdge = 3;
+
+/// D = V0 . (V2 x V1) over (x, y, w): its sign is the facing, +1 front. The nearest double.
+double ClipDeterminant(const ClipTriangle& t);
+
+/// Whether (x, y), a multiple of 1/2 below 2^17, is on the triangle's side of one edge; exactly on
+/// an edge if the top-left rule gives it to the triangle, exactly on the near plane always.
+bool IsInsideClipEdge(const ClipTriangle& t, int edge, int facing, double x, double y);
+
+/// The columns of 0 to width whose centres in the row are inside one edge: [first, last).
+void ClipColumns(const ClipTriangle& t, int edge, int facing, int row, int width, int& first,
+                 int& last);
+
+/// Leaves of rows [first, last) those that lie inside an edge parallel to them.
+void ClipRows(const ClipTriangle& t, int edge, int facing, int& first, int& last);
+
 using KernelFunction = void (*)(const KernelView&);
 
 /// Of one target.
@@ -65,6 +96,8 @@ struct KernelTable {
   KernelFunction draw[7][5];  ///< by KernelMethod and Sink; nullptr where there is no such kernel
   KernelFunction fill[5];     ///< by Sink: see Fill()
   KernelFunction exact_spans;
+  KernelFunction clip[5];  ///< by Sink
+  KernelFunction clip_spans;
 };
 
 extern const KernelTable kScalarKernels;

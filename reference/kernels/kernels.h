@@ -3,6 +3,7 @@
 #define RASTERPROOF_REFERENCE_KERNELS_KERNELS_H_
 
 #include "core/own_precision.h"
+#include "reference/kernels/clip_rows.h"
 #include "reference/kernels/exact_spans.h"
 #include "reference/kernels/fill.h"
 #include "reference/kernels/fixed_tiles.h"
@@ -36,6 +37,9 @@ constexpr KernelTable kKernels = {
     },
     {&FillCount8, &FillFacing, &FillMask, &FillId, &FillDepth},
     &DrawExact<SpanSink>,
+    {&DrawClip<PixelSink<Count8>>, &DrawClip<PixelSink<Facing>>, &DrawClip<MaskSink>,
+     &DrawClip<PixelSink<Id>>, &DrawClip<PixelSink<ClipDepth>>},
+    &DrawClip<SpanSink>,
 };
 
 }  // namespace rasterproof::reference::kernels::HWY_NAMESPACE

@@ -18,6 +18,7 @@
 #include <cstdint>
 
 #include "reference/kernels/blocks.h"
+#include "reference/kernels/exact_crossings.h"
 #include "reference/kernels/kernel_table.h"
 #include "reference/kernels/vectors.h"
 
@@ -35,7 +36,8 @@ class PixelSink {
 
   HWY_INLINE explicit PixelSink(const KernelView& view) : kind_(view), pitch_(view.pitch) {}
 
-  HWY_INLINE void Begin(std::uint32_t triangle, bool is_front, const Plane& plane) {
+  template <class P>
+  HWY_INLINE void Begin(std::uint32_t triangle, bool is_front, const P& plane) {
     kind_.Begin(triangle, is_front, plane);
   }
 
@@ -114,7 +116,8 @@ class Count8 {
   static constexpr bool kNeedsFacing = false;
 
   HWY_INLINE explicit Count8(const KernelView& view) : plane_(static_cast<T*>(view.planes[0])) {}
-  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool /*is_front*/, const Plane& /*plane*/) {}
+  template <class P>
+  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool /*is_front*/, const P& /*plane*/) {}
   HWY_INLINE T* plane() const { return plane_; }
   HWY_INLINE void BeginRow(int /*row*/) {}
   template <class D>
@@ -134,7 +137,8 @@ class Facing {
 
   HWY_INLINE explicit Facing(const KernelView& view)
       : front_(static_cast<T*>(view.planes[0])), back_(static_cast<T*>(view.planes[1])) {}
-  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool is_front, const Plane& /*plane*/) {
+  template <class P>
+  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool is_front, const P& /*plane*/) {
     plane_ = is_front ? front_ : back_;
   }
   HWY_INLINE T* plane() const { return plane_; }
@@ -157,7 +161,8 @@ class Id {
   static constexpr bool kNeedsFacing = false;
 
   HWY_INLINE explicit Id(const KernelView& view) : plane_(static_cast<T*>(view.planes[0])) {}
-  HWY_INLINE void Begin(std::uint32_t triangle, bool /*is_front*/, const Plane& /*plane*/) {
+  template <class P>
+  HWY_INLINE void Begin(std::uint32_t triangle, bool /*is_front*/, const P& /*plane*/) {
     triangle_ = triangle;
   }
   HWY_INLINE T* plane() const { return plane_; }
@@ -198,6 +203,52 @@ class Depth {
   float row_z_ = 0;
 };
 
+/// z / w of clip space, computed in double and rounded to float32.
+class ClipDepth {
+ public:
+  using T = float;
+  static constexpr bool kNeedsPlane = true;
+  static constexpr bool kNeedsFacing = false;
+
+  HWY_INLINE explicit ClipDepth(const KernelView& view) : plane_(static_cast<T*>(view.planes[0])) {}
+  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool /*is_front*/, const ClipPlane& plane) {
+    z_ = plane;
+  }
+  HWY_INLINE T* plane() const { return plane_; }
+  HWY_INLINE void BeginRow(int row) { row_z_ = z_.zc + z_.zy * (row + 0.5); }
+  template <class D>
+  HWY_INLINE hn::Vec<D> New(D d, hn::Vec<D> old, int x) const {
+    const auto z = At(d, x + 0.5);
+    return hn::IfThenElse(hn::Lt(z, old), z, old);
+  }
+
+ private:
+#if HWY_TARGET == HWY_SCALAR
+  template <class D>
+  HWY_INLINE hn::Vec<D> At(D d, double x) const {
+    return hn::Set(d, static_cast<float>(row_z_ + z_.zx * x));
+  }
+#else
+  template <class D>
+  HWY_INLINE hn::Vec<D> At(D d, double x) const {
+    const hn::RepartitionToWide<hn::RebindToSigned<D> > wide_integers;
+    const hn::RebindToFloat<decltype(wide_integers)> wide;
+    const hn::Half<D> half;
+    constexpr int kN = kLanesOf<decltype(wide)>;
+    const auto zs = [&](double first) {
+      const auto centres = hn::Add(hn::Set(wide, first), hn::Load(wide, kFirstDoubles));
+      return hn::DemoteTo(half,
+                          hn::Add(hn::Set(wide, row_z_), hn::Mul(hn::Set(wide, z_.zx), centres)));
+    };
+    return hn::Combine(d, zs(x + kN), zs(x));
+  }
+#endif
+
+  T* plane_;
+  ClipPlane z_ = {};
+  double row_z_ = 0;
+};
+
 /// One bit a pixel, pixel x at bit x & 7 of byte x >> 3.
 class MaskSink {
  public:
@@ -207,7 +258,8 @@ class MaskSink {
 
   HWY_INLINE explicit MaskSink(const KernelView& view)
       : plane_(static_cast<std::uint8_t*>(view.planes[0])), pitch_(view.pitch) {}
-  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool /*is_front*/, const Plane& /*plane*/) {}
+  template <class P>
+  HWY_INLINE void Begin(std::uint32_t /*triangle*/, bool /*is_front*/, const P& /*plane*/) {}
 
   HWY_INLINE void Span(int row, int x0, int x1) {
     std::uint8_t* line = plane_ + row * pitch_;

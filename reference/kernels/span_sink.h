@@ -19,7 +19,8 @@ class SpanSink {
 
   HWY_INLINE explicit SpanSink(const KernelView& view)
       : on_span_(view.on_span), state_(view.state) {}
-  HWY_INLINE void Begin(std::uint32_t triangle, bool is_front, const Plane& /*plane*/) {
+  template <class P>
+  HWY_INLINE void Begin(std::uint32_t triangle, bool is_front, const P& /*plane*/) {
     span_.triangle = triangle;
     span_.is_front = is_front;
   }

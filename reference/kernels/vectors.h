@@ -105,11 +105,11 @@ HWY_INLINE VI Truncated(VF v) {
 
 HWY_INLINE int CountTrailingZeros(std::uint64_t bits) { return __builtin_ctzll(bits); }
 template <class T>
-HWY_INLINE T Least(T a, T b) {
+HWY_INLINE constexpr T Least(T a, T b) {
   return a < b ? a : b;
 }
 template <class T>
-HWY_INLINE T Greatest(T a, T b) {
+HWY_INLINE constexpr T Greatest(T a, T b) {
   return a < b ? b : a;
 }
 

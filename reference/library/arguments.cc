@@ -67,12 +67,13 @@ bool Overlap(std::span<const std::byte> a, std::span<const std::byte> b) {
 }
 
 template <class T>
-void RequireTriples(const std::string& name, std::span<const T> values) {
+void RequireTuples(const std::string& name, std::size_t each, std::span<const T> values) {
   if (values.data() == nullptr && !values.empty()) {
     throw InputError(name, "null", "give the values, or none");
   }
-  if (values.size() % 3 != 0) {
-    throw InputError(name, Text(values.size()) + " of them", "give three of each");
+  if (values.size() % each != 0) {
+    throw InputError(name, Text(values.size()) + " of them",
+                     std::string("give ") + (each == 3 ? "three" : "four") + " of each");
   }
   if (std::bit_cast<std::uintptr_t>(values.data()) % alignof(T) != 0) {
     throw InputError(name, "not aligned", "align it to " + Text(alignof(T)) + " bytes");
@@ -80,9 +81,12 @@ void RequireTriples(const std::string& name, std::span<const T> values) {
 }
 
 void RequireShape(const RasterMesh& mesh) {
-  RequireTriples("mesh.positions", mesh.positions);
-  RequireTriples("mesh.indices", mesh.indices);
-  const std::size_t vertices = mesh.positions.size() / 3;
+  if (mesh.space > RasterSpace::kClipNearMinusW) {
+    throw InputError("mesh.space", "there is no such space", "give one of RasterSpace");
+  }
+  RequireTuples("mesh.positions", CoordinatesOf(mesh.space), mesh.positions);
+  RequireTuples("mesh.indices", 3, mesh.indices);
+  const std::size_t vertices = VerticesOf(mesh);
   if (vertices > kMostVertices) {
     throw InputError("mesh.positions", Text(vertices) + " vertices",
                      "draw parts of at most " + Text(kMostVertices));
@@ -96,6 +100,12 @@ void RequireShape(const RasterMesh& mesh) {
 constexpr std::array<std::string_view, 6> kNames{"", "scalar", "sse4", "avx2", "avx512", "neon"};
 
 }  // namespace
+
+std::size_t CoordinatesOf(RasterSpace space) { return space == RasterSpace::kWindow ? 3 : 4; }
+
+std::size_t VerticesOf(const RasterMesh& mesh) {
+  return mesh.positions.size() / CoordinatesOf(mesh.space);
+}
 
 std::size_t UnitOf(RasterOutput output) {
   return output == RasterOutput::kCounts || IsMask(output) ? 1 : sizeof(float);
@@ -155,12 +165,12 @@ bool HaveVertices(const RasterMesh& mesh, std::size_t first, std::size_t end) {
   for (const std::uint32_t index : mesh.indices.subspan(3 * first, 3 * (end - first))) {
     most = std::max(most, index);
   }
-  return first == end || most < mesh.positions.size() / 3;
+  return first == end || most < VerticesOf(mesh);
 }
 
 void RequireIndices(const RasterMesh& mesh) {
   if (HaveVertices(mesh, 0, mesh.indices.size() / 3)) return;
-  const std::size_t vertices = mesh.positions.size() / 3;
+  const std::size_t vertices = VerticesOf(mesh);
   const auto first = std::ranges::find_if(mesh.indices, [&](auto i) { return i >= vertices; });
   throw InputError(
       "mesh.indices[" + Text(static_cast<std::size_t>(first - mesh.indices.begin())) + "]",
@@ -195,6 +205,10 @@ kernels::Target RequireAllButIndices(const RasterMesh& mesh, const RasterTarget&
                                      InstructionSet set) {
   RequireTarget(target);
   RequireShape(mesh);
+  if (target.output >= RasterOutput::kInnerMask && mesh.space != RasterSpace::kWindow) {
+    throw InputError("target.output", "squares are of window space alone",
+                     "give a mesh of window space, or ask for an output of centres");
+  }
   std::array<Plane, 2> both;
   const auto planes = PlanesOf(target, both);
   for (std::size_t k = 0; k < planes.size(); ++k) {

@@ -22,6 +22,10 @@ std::size_t BytesOfRows(const RasterTarget& target);
 using Plane = std::span<std::byte>;
 std::span<const Plane> PlanesOf(const RasterTarget& target, std::array<Plane, 2>& planes);
 
+/// Of each vertex; and how many vertices there are.
+std::size_t CoordinatesOf(RasterSpace space);
+std::size_t VerticesOf(const RasterMesh& mesh);
+
 /// Each throws InputError, which names the argument and the remedy.
 void RequireSize(const std::string& place, int width, int height);
 void RequireTarget(const RasterTarget& target);

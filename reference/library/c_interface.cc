@@ -13,6 +13,7 @@
 #include "core/error.h"
 #include "kit/rasterize.h"
 #include "kit/rasterproof_rasterize.h"
+#include "reference/library/arguments.h"
 
 namespace rasterproof {
 namespace {
@@ -55,8 +56,8 @@ const T& Required(const T* argument, const char* name) {
   return *argument;
 }
 
-std::size_t TimesThree(std::size_t n, const char* name) {
-  if (n <= std::numeric_limits<std::uint32_t>::max()) return 3 * n;
+std::size_t Times(std::size_t each, std::size_t n, const char* name) {
+  if (n <= std::numeric_limits<std::uint32_t>::max()) return each * n;
   throw InputError(name, "too many", "draw parts of fewer than 2^29");
 }
 
@@ -69,10 +70,18 @@ std::span<T> SpanOf(T* values, std::size_t size, const char* name) {
 
 RasterMesh MeshOf(const rasterproof_raster_mesh* given) {
   const rasterproof_raster_mesh& mesh = Required(given, "mesh");
-  return {.positions = SpanOf(mesh.positions, TimesThree(mesh.vertex_count, "mesh.vertex_count"),
-                              "mesh.positions"),
-          .indices = SpanOf(mesh.indices, TimesThree(mesh.triangle_count, "mesh.triangle_count"),
-                            "mesh.indices")};
+  if (mesh.space > RASTERPROOF_RASTER_CLIP_NEAR_MINUS_W) {
+    throw InputError("mesh.space", "there is no such space",
+                     "give one of rasterproof_raster_space");
+  }
+  const auto space = static_cast<RasterSpace>(mesh.space);
+  const std::size_t coordinates = library::CoordinatesOf(space);
+  return {.positions =
+              SpanOf(mesh.positions, Times(coordinates, mesh.vertex_count, "mesh.vertex_count"),
+                     "mesh.positions"),
+          .indices = SpanOf(mesh.indices, Times(3, mesh.triangle_count, "mesh.triangle_count"),
+                            "mesh.indices"),
+          .space = space};
 }
 
 RasterTarget TargetOf(const rasterproof_raster_target* given) {

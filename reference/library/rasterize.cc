@@ -55,7 +55,27 @@ kernels::KernelView ViewOf(const RasterMesh& mesh, int width, int height) {
   view.triangles = mesh.indices.size() / 3;
   view.width = width;
   view.height = height;
+  constexpr std::array kNearPlanes{kernels::NearPlane::kNone, kernels::NearPlane::kNone,
+                                   kernels::NearPlane::kZero, kernels::NearPlane::kMinusW};
+  view.near_plane = kNearPlanes[static_cast<std::size_t>(mesh.space)];
   return view;
+}
+
+void DrawView(const RasterMesh& mesh, kernels::Target simd, kernels::Sink sink,
+              const kernels::KernelView& view) {
+  if (mesh.space == RasterSpace::kWindow) {
+    kernels::DrawExact(simd, sink, view);
+  } else {
+    kernels::DrawClip(simd, sink, view);
+  }
+}
+
+void DrawSpans(const RasterMesh& mesh, kernels::Target simd, const kernels::KernelView& view) {
+  if (mesh.space == RasterSpace::kWindow) {
+    kernels::DrawExactSpans(simd, view);
+  } else {
+    kernels::DrawClipSpans(simd, view);
+  }
 }
 
 // How many rows have room below them and after them.
@@ -138,14 +158,14 @@ void library::Draw(const RasterMesh& mesh, const RasterTarget& target, kernels::
   if (direct > 0) {
     for (std::size_t k = 0; k < planes.size(); ++k) view.planes[k] = planes[k].data();
     view.pitch = PitchInUnits(target, target.pitch);
-    kernels::DrawExact(simd, sink, view);
+    DrawView(mesh, simd, sink, view);
   }
   if (last.empty()) return;
   view.first_row = direct;
   view.height = target.height;
   for (std::size_t k = 0; k < last.size(); ++k) view.planes[k] = last[k].Plane(direct);
   view.pitch = PitchInUnits(target, last.front().pitch());
-  kernels::DrawExact(simd, sink, view);
+  DrawView(mesh, simd, sink, view);
   for (LastRows& rows : last) rows.PutBack();
 }
 
@@ -173,7 +193,7 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
   };
   view.state = &on_span;
   const FloatEnvironment sane;
-  kernels::DrawExactSpans(simd, view);
+  DrawSpans(mesh, simd, view);
 }
 
 void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
@@ -196,7 +216,7 @@ void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
   };
   view.state = &is_empty;
   const FloatEnvironment sane;
-  kernels::DrawExactSpans(simd, view);
+  DrawSpans(mesh, simd, view);
 }
 
 void Clear(const RasterTarget& target) {

@@ -276,8 +276,9 @@ class RasterWorkers::Crew {
     const RasterTarget& own = k >= first_own_ ? OwnOf(k).target() : target;
     const std::size_t triangles = mesh.indices.size() / 3;
     const auto draw = [&](std::size_t first, std::size_t end) {
-      library::Draw({mesh.positions, mesh.indices.subspan(3 * first, 3 * (end - first))}, own,
-                    simd);
+      library::Draw(
+          {mesh.positions, mesh.indices.subspan(3 * first, 3 * (end - first)), mesh.space}, own,
+          simd);
     };
     if (library::IsOrderSeen(target.output)) {
       draw(FirstOf(k, triangles), FirstOf(k + 1, triangles));

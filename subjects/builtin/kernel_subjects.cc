@@ -10,6 +10,7 @@
 #include "core/error.h"
 #include "core/float_environment.h"
 #include "reference/plan.h"
+#include "reference/proved.h"
 #include "reference/whole_scene.h"
 
 namespace rasterproof::subjects {
@@ -34,6 +35,8 @@ constexpr std::array<KernelRow, 5> kKernels{{
      KernelMethod::kScanline},
     {"kernel-exact-unsafe", "spans-exact without what makes it exact", KernelMethod::kExactUnsafe},
 }};
+
+constexpr std::string_view kClipKernel = "kernel-clip";
 
 class KernelSubject final : public Subject {
  public:
@@ -61,6 +64,32 @@ class KernelSubject final : public Subject {
 
  private:
   KernelMethod method_;
+  SubjectInfo info_;
+};
+
+class ClipKernelSubject final : public Subject {
+ public:
+  ClipKernelSubject() {
+    info_.name = kClipKernel;
+    info_.summary = "edges of (x, y, w) as rows cross them, by vectors: float32, exact";
+    info_.takes_window = false;
+    info_.takes_clip = true;
+    info_.states_exact = true;
+    info_.proofs = {reference::ClipKernelProof()};
+    info_.profile.coordinate_limit = double{std::numeric_limits<float>::max()};
+  }
+
+  const SubjectInfo& OwnInfo() const override { return info_; }
+
+  void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override {
+    if (!reference::ClipKernelTakes(scene)) {
+      throw InputError("scene " + scene.name, info_.name + " computes in float32 and clip space",
+                       "use hom-exact");
+    }
+    reference::DrawByClipKernel(scene, options, counts);
+  }
+
+ private:
   SubjectInfo info_;
 };
 
@@ -92,6 +121,7 @@ class PlannedSubject final : public Subject {
 std::vector<std::string> KernelSubjectNames() {
   std::vector<std::string> names;
   for (const KernelRow& row : kKernels) names.emplace_back(row.name);
+  names.emplace_back(kClipKernel);
   names.emplace_back("planned");
   return names;
 }
@@ -100,6 +130,7 @@ std::unique_ptr<Subject> MakeKernelSubject(std::string_view name) {
   for (const KernelRow& row : kKernels) {
     if (row.name == name) return std::make_unique<KernelSubject>(row);
   }
+  if (name == kClipKernel) return std::make_unique<ClipKernelSubject>();
   if (name == "planned") return std::make_unique<PlannedSubject>();
   return nullptr;
 }

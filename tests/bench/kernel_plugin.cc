@@ -74,7 +74,7 @@ std::int32_t Draw(void* /*state*/, const rasterproof_scene* scene,
   // The unsigned type of the same width may be read in the signed one's place.
   const auto* const indices = reinterpret_cast<const std::uint32_t*>(scene->triangles);
   const rasterproof_raster_mesh mesh{positions.data(), scene->vertex_count, indices,
-                                     scene->triangle_count};
+                                     scene->triangle_count, RASTERPROOF_RASTER_WINDOW};
   const auto status = rasterproof_rasterize(&mesh, &counts->view(), RASTERPROOF_RASTER_BEST);
   counts->MoveTo(*target);
   return status == RASTERPROOF_RASTER_OK ? 0 : 1;

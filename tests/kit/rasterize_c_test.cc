@@ -25,7 +25,8 @@ struct BadCallInC {
 
 constexpr std::array<float, 9> kPositions{-9, -9, 0, 90, 0, 0, 0, 90, 0};
 constexpr std::array<std::uint32_t, 3> kIndices{0, 1, 2};
-constexpr rasterproof_raster_mesh kMesh{kPositions.data(), 3, kIndices.data(), 1};
+constexpr rasterproof_raster_mesh kMesh{kPositions.data(), 3, kIndices.data(), 1,
+                                        RASTERPROOF_RASTER_WINDOW};
 
 TEST(RasterizeInC, RefusesBadInputByNameAndDrawsNothing) {
   const std::vector<BadCallInC> bad_calls{

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <string>
+#include <vector>
 
 #include "reference/kernels/kernel.h"
 #include "tests/reference/drawn_scenes.h"
@@ -30,6 +31,35 @@ std::uint64_t Drawn(KernelMethod method, Sink sink, Target target, const OwnedSc
   return DigestOf(surface);
 }
 
+// The same triangles as clip space, each vertex with a w of its own.
+std::uint64_t DrawnClip(Sink sink, Target target, const OwnedScene& scene) {
+  std::vector<ClipVertex> vertices;
+  for (const KernelVertex& v : scene.vertices) {
+    const float w = static_cast<float>(vertices.size() % 7) * 0.5F - 0.5F;
+    vertices.push_back({v.x * w, v.y * w, v.z * w, w});
+  }
+  Surface surface(sink, scene.width, scene.height);
+  DrawClip(target, {vertices, scene.indices, scene.width, scene.height, NearPlane::kMinusW},
+           surface);
+  return DigestOf(surface);
+}
+
+// Prints what `drawn` gives for the first target. Returns whether every other one gives the same.
+template <class Drawing>
+bool PrintDigest(const std::string& what, const Drawing& drawn) {
+  const std::uint64_t digest = drawn(SupportedTargets().front());
+  std::printf("%s %016llx\n", what.c_str(), static_cast<unsigned long long>(digest));
+  bool same = true;
+  for (const Target target : SupportedTargets()) {
+    if (drawn(target) == digest) continue;
+    std::fprintf(stderr, "%s: %s draws other bits than %s\n", what.c_str(),
+                 std::string(NameOf(target)).c_str(),
+                 std::string(NameOf(SupportedTargets().front())).c_str());
+    same = false;
+  }
+  return same;
+}
+
 int PrintAll() {
   int status = 0;
   for (const OwnedScene& scene : DrawnScenes(100)) {
@@ -38,18 +68,16 @@ int PrintAll() {
       if (method == KernelMethod::kExactUnsafe) continue;
       for (const Sink sink : kSinks) {
         if (!Draws(method, sink)) continue;
-        const std::uint64_t digest = Drawn(method, sink, SupportedTargets().front(), scene);
         const std::string what =
             scene.name + ' ' + std::string(NameOf(method)) + ' ' + std::string(NameOf(sink));
-        std::printf("%s %016llx\n", what.c_str(), static_cast<unsigned long long>(digest));
-        for (const Target target : SupportedTargets()) {
-          if (Drawn(method, sink, target, scene) == digest) continue;
-          std::fprintf(stderr, "%s: %s draws other bits than %s\n", what.c_str(),
-                       std::string(NameOf(target)).c_str(),
-                       std::string(NameOf(SupportedTargets().front())).c_str());
-          status = 1;
-        }
+        const auto drawn = [&](Target target) { return Drawn(method, sink, target, scene); };
+        if (!PrintDigest(what, drawn)) status = 1;
       }
+    }
+    for (const Sink sink : kSinks) {
+      const std::string what = scene.name + " clip " + std::string(NameOf(sink));
+      const auto drawn = [&](Target target) { return DrawnClip(sink, target, scene); };
+      if (!PrintDigest(what, drawn)) status = 1;
     }
   }
   for (const Target target : SupportedTargets()) {

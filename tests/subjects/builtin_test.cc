@@ -45,8 +45,9 @@ TEST(BuiltinTest, EveryMethodIsASubjectAndTheCanonicalOnesTwice) {
         << name;
     expected += method.can_be_canonical ? 2 : 1;
   }
-  for (const char* const name : {"kernel-incremental", "kernel-tiles", "kernel-fixed-tiles",
-                                 "kernel-scanline", "kernel-exact-unsafe", "planned"}) {
+  for (const char* const name :
+       {"kernel-incremental", "kernel-tiles", "kernel-fixed-tiles", "kernel-scanline",
+        "kernel-exact-unsafe", "kernel-clip", "planned"}) {
     EXPECT_EQ(std::ranges::count(names, name), 1) << name;
     ++expected;
   }
@@ -67,7 +68,7 @@ TEST(BuiltinTest, NamesThatAreNoSubjectGiveNone) {
 
 TEST(BuiltinTest, OnlySoundMethodsStateToBeExact) {
   for (const char* const name : {"spans-exact", "filtered-exact", "i64-snap8", "i32-snap4",
-                                 "planned", "kernel-fixed-tiles"}) {
+                                 "planned", "kernel-fixed-tiles", "kernel-clip"}) {
     EXPECT_TRUE(MakeBuiltin(name)->Info().states_exact) << name;
   }
   for (const char* const name : {"textbook", "f32-direct", "f32-direct:canonical", "f64-kahan",

@@ -1,0 +1,120 @@
+// The kernel of clip space beside the exact kernel of window space, by turns: the same triangles
+// with w = 1, with w of their own, and divided by it first.
+//
+// usage: clip_cost
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <random>
+#include <string_view>
+#include <vector>
+
+#include "bench/family.h"
+#include "reference/kernels/kernel.h"
+
+namespace rasterproof::bench {
+namespace {
+
+namespace kernels = reference::kernels;
+
+constexpr int kTimes = 11;
+constexpr std::array<std::string_view, 4> kFamilies{"px5", "torus", "px100", "needles"};
+
+struct ClipMesh {
+  std::vector<kernels::ClipVertex> vertices;
+  kernels::KernelScene window;
+
+  kernels::ClipScene View(kernels::NearPlane near_plane = kernels::NearPlane::kNone) const {
+    return {vertices, window.indices, window.width, window.height, near_plane};
+  }
+};
+
+// Every vertex times a w between 1 and `most`, rounded to float32.
+ClipMesh MeshOf(const kernels::KernelScene& window, float most) {
+  std::mt19937 bits(1);
+  ClipMesh mesh{{}, window};
+  for (const kernels::KernelVertex& v : window.vertices) {
+    const float w = 1 + (most - 1) * (static_cast<float>(bits() >> 8) * 0x1p-24F);
+    mesh.vertices.push_back({v.x * w, v.y * w, v.z * w, w});
+  }
+  return mesh;
+}
+
+template <class Act>
+double Seconds(const Act& act) {
+  const auto begun = std::chrono::steady_clock::now();
+  act();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
+// Least ns a triangle of each, and the median ratio of the last one to the first.
+struct Costs {
+  std::array<double, 4> least{1e9, 1e9, 1e9, 1e9};
+  double ratio = 0;
+};
+
+Costs Measure(const kernels::KernelScene& window, kernels::Target target, kernels::Sink sink) {
+  const ClipMesh flat = MeshOf(window, 1);
+  const ClipMesh deep = MeshOf(window, 8);
+  kernels::Surface surface(sink, window.width, window.height);
+  std::vector<kernels::KernelVertex> divided(window.vertices.size());
+  Costs costs;
+  std::array<double, kTimes> ratios{};
+  for (double& ratio : ratios) {
+    const auto time = [&](const auto& draw) {
+      surface.Clear();
+      return Seconds(draw);
+    };
+    const std::array seconds{
+        time([&] { kernels::Draw(kernels::KernelMethod::kExact, target, window, surface); }),
+        time([&] {
+          for (std::size_t k = 0; k < divided.size(); ++k) {
+            const kernels::ClipVertex& v = deep.vertices[k];
+            const float by = 1 / v.w;
+            divided[k] = {v.x * by, v.y * by, v.z * by};
+          }
+          kernels::Draw(kernels::KernelMethod::kExact, target,
+                        {divided, window.indices, window.width, window.height}, surface);
+        }),
+        time([&] { kernels::DrawClip(target, flat.View(), surface); }),
+        time([&] { kernels::DrawClip(target, deep.View(), surface); })};
+    for (std::size_t k = 0; k < seconds.size(); ++k) {
+      costs.least[k] = std::min(costs.least[k], seconds[k]);
+    }
+    ratio = seconds[3] / seconds[0];
+  }
+  std::ranges::sort(ratios);
+  costs.ratio = ratios[kTimes / 2];
+  return costs;
+}
+
+void PrintAll() {
+  std::printf(
+      "ns a triangle, least of %d; clip / window: median of pairs\n"
+      "scene    set     sink    window  divided  clip, w = 1  clip, w to 8  clip / window\n",
+      kTimes);
+  for (const FamilyKind& kind : FamilyKinds()) {
+    if (std::ranges::find(kFamilies, kind.name) == kFamilies.end()) continue;
+    const FamilyInput family = MakeFamily(kind, FamilySize::kFull, 1);
+    for (const kernels::Target target : kernels::SupportedTargets()) {
+      if (target == kernels::Target::kScalar || target == kernels::Target::kSse4) continue;
+      for (const kernels::Sink sink :
+           {kernels::Sink::kCount8, kernels::Sink::kMask, kernels::Sink::kDepth}) {
+        const Costs c = Measure(family.KernelScene(), target, sink);
+        const double each = 1e9 / static_cast<double>(family.indices.size() / 3);
+        std::printf("%-8s %-7s %-7s %6.1f  %7.1f  %11.1f  %12.1f  %.2f\n", family.name.c_str(),
+                    kernels::NameOf(target).data(), kernels::NameOf(sink).data(), c.least[0] * each,
+                    c.least[1] * each, c.least[2] * each, c.least[3] * each, c.ratio);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::bench
+
+int main() { rasterproof::bench::PrintAll(); }

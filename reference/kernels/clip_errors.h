@@ -1,0 +1,46 @@
+// How far what the kernel of clip space (clip_rows.h) computes in double may be from what it stands
+// for. u = 2^-53.
+#ifndef RASTERPROOF_REFERENCE_KERNELS_CLIP_ERRORS_H_
+#define RASTERPROOF_REFERENCE_KERNELS_CLIP_ERRORS_H_
+
+namespace rasterproof::reference::kernels {
+
+// Coordinates are float32, so products of two of them are exact, N = V_j x V_i is off by u in each
+// component and its signs are exact. Nothing over- or underflows: |N| is 0 or between 2^-298 and
+// 2^257.
+
+/// Of N . (x, y, w), in units of the sum of its three computed terms' sizes: a term carries the
+/// component, its product and two sums, 4.1 u, and the sizes' own rounding takes less than 0.5 u.
+/// So signs beyond it are certain. The same holds of D = V0 . (V2 x V1).
+/// Proof:      proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.411, ClipKernel.GuessesAndFiltersStayWithinTheirErrors.
+inline constexpr double kClipDotError = 0x1.4p-51;
+
+/// Of a guess -(ny y + nw) / nx + 1/2 + error, computed as y s + (f + (1/2 + error)), s = -ny / nx,
+/// f = -nw / nx, in units of |s| y + |f| + 1, y the largest one: the quotients are off by 4u (both
+/// components, a reciprocal, a product), and a product and two sums round after them: less than
+/// 15 u. Of 16 u the unit's own rounding leaves 15.8 u.
+/// Proof:      proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.187, by the same test.
+inline constexpr double kClipCrossingError = 0x1p-49;
+
+/// A guess that may be off by more than this decides nothing: its row is searched exactly.
+inline constexpr double kClipWorstGuess = 0x1p-10;
+
+/// Depth in double: a D of less than this, in units of the sum of its terms' sizes, is computed
+/// exactly: so 1 / |D| is off by a relative 2^-24 at most.
+inline constexpr double kClipPlainDeterminant = 0x1p-26;
+
+/// Of the depth z at (x, y), |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S)
+/// / |D|: M is the sum over corners k of |z_k| (|N.x| x + |N.y| y + |N.w|), N of the opposite edge,
+/// S the sum of the sizes of D's three terms. A coefficient carries its N, a product, two sums and
+/// the quotient, and then a product and two sums: 8.1 u of M; D is off by 4.1 u of S, or by u. Then
+/// z rounds to float32.
+/// Proof:      proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.995, of what comes before the last rounding 0.049,
+///             ClipKernel.DepthsStayWithinTheirBound.
+inline constexpr double kClipDepthError = 0x1.2p-50;
+
+}  // namespace rasterproof::reference::kernels
+
+#endif  // RASTERPROOF_REFERENCE_KERNELS_CLIP_ERRORS_H_

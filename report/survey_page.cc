@@ -85,7 +85,7 @@ std::string SurveyTable(std::string_view words, std::string_view rows,
 std::string StatedProfile(const JsonValue& stated) {
   const Profile profile = io::ProfileFromJson(stated);
   if (stated.kind() == io::JsonKind::kString) return "preset " + profile.name;
-  return fmt::format("{}, |x| up to {:.6g}", ContractName(profile.contract),
+  return fmt::format("{}, |x| up to {:.8g}", ContractName(profile.contract),
                      profile.coordinate_limit);
 }
 
@@ -105,7 +105,8 @@ std::string SurveyRow(const JsonValue& survey, std::string_view anchor) {
   const JsonValue model = survey.Get("model");
   const auto [drawn, alone, all] = sum.seconds;
   return fmt::format(
-      "<tr><th scope=\"row\"><a class=\"name\" href=\"#{}\">{}</a></th><td>{}</td><td>{}</td>"
+      "<tr><th scope=\"row\"><a class=\"name\" href=\"#{}\">{}</a></th><td>{}</td><td "
+      "class=\"remark\">{}</td>"
       "<td class=\"number\">{}</td>{}{}{}<td class=\"number\">{}</td><td class=\"number\">{}</td>"
       "</tr>\n",
       anchor, SurveyText(survey, "subject"), StatedProfile(survey.Get("stated")),

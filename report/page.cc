@@ -92,6 +92,7 @@ std::string PageToHtml(const Page& page) {
   html += Section("verdicts", "Verdicts", "A name leads to all that is known of the subject.",
                   VerdictGroups(page));
   if (page.catalogue) html += CatalogueSection(*page.catalogue);
+  html += page.surveys;
   html += Section("pictures", "Failures",
                   "Where a subject first differs from the exact oracle, each with the command that "
                   "shows it again.",

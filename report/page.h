@@ -34,8 +34,16 @@ struct Page {
   std::vector<Picture> pictures;
   std::optional<BenchResult> bench = std::nullopt;  ///< error against run time, before the verdicts
   std::optional<Catalogue> catalogue = std::nullopt;  ///< of stiff cases, after the verdicts
+  std::string surveys = {};                           ///< a SurveySection, after the catalogue
   std::string folder = "out";  ///< where the page lies, as commands on it say
 };
+
+/// The section on the files that `rasterproof survey --json` wrote into a folder: a row for each
+/// *.json, by name; folded for each its domains and the first cases found; the lines of absent.txt,
+/// if it is there, on subjects that could not be surveyed.
+///
+/// Error:      InputError if one is no survey file of version 4, or if the folder has none.
+std::string SurveySection(const std::string& folder);
 
 /// The page of all subjects: what was shown in a sentence or two; error against run time, where a
 /// bench is given; the subjects in groups by what they state, pictures of failures, scenes,

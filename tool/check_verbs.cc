@@ -151,6 +151,8 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option(
       "--bench", options.bench,
       "File that bench --json wrote: the page then begins with error against run time");
+  verb->add_option("--survey", options.survey,
+                   "Folder of files that survey --json wrote: the page then shows them");
   verb->add_flag("--catalogue", options.catalogue,
                  "Families of stiff cases, too: a matrix, a page a family, catalogue.json");
   AddSeed(verb, options.campaign.seed);

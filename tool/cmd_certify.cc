@@ -347,6 +347,7 @@ void RequireForAPart(const CertifyOptions& options) {
   if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to --merge");
   if (options.catalogue) refuse("--catalogue", "give it to --merge, which makes the page");
   if (!options.bench.empty()) refuse("--bench", "give it to --merge, which makes the page");
+  if (!options.survey.empty()) refuse("--survey", "give it to --merge, which makes the page");
   if (options.range && !options.shard.empty()) {
     refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
   }
@@ -372,6 +373,7 @@ int Certify(const CertifyOptions& options, const Source& source) {
   const std::vector<SubjectFactory> subjects = SubjectsOf(options);
   report::Page page;
   if (!options.bench.empty()) page.bench = report::ReadBench(options.bench);
+  if (!options.survey.empty()) page.surveys = report::SurveySection(options.survey);
   page.folder = ShellWord(options.output);
   io::MakeFolder(options.output);
   std::exception_ptr failure;

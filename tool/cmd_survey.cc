@@ -106,13 +106,14 @@ void AddDomain(report::JsonWriter& json, const DomainSurvey& survey, bool near_l
 std::string SurveyJson(const SubjectInfo& info, const SurveyModel& model, std::uint64_t seed,
                        const std::vector<DomainSurvey>& surveys) {
   report::JsonWriter json;
-  json.BeginObject().Key("rasterproof_survey").Integer(3);
+  json.BeginObject().Key("rasterproof_survey").Integer(4);
   json.Key("subject").Text(info.name);
   json.Key("summary").Text(info.summary);
   json.Key("seed").Integer(seed);
   json.Key("stated").Value(io::ProfileToJson(info.profile));
   json.Key("model").BeginObject();
   json.Key("profile").Value(io::ProfileToJson(model.profile));
+  json.Key("text").Text(props::ModelText(model.profile));
   json.Key("wrong").Integer(model.wrong);
   json.Key("samples").Integer(model.samples);
   json.Key("experiments").Integer(model.experiments);

@@ -128,6 +128,7 @@ struct CertifyOptions {
   std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
   std::string output = "out";
   std::string bench;       ///< file that bench --json wrote, for the page; empty: none
+  std::string survey;      ///< folder of what survey --json wrote, for the page; empty: none
   bool catalogue = false;  ///< the matrix of stiff and extreme cases on the page
   props::CampaignOptions campaign;
   /// Only these cases, as a part. `campaign.cases` plays no role.

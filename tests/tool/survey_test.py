@@ -38,7 +38,7 @@ class Survey(unittest.TestCase):
 
     def test_of_a_right_rasterizer_nothing_is_found(self):
         survey, text = self.survey("--subject", "i64-snap8")
-        self.assertEqual(survey["rasterproof_survey"], 3)
+        self.assertEqual(survey["rasterproof_survey"], 4)
         self.assertEqual(survey["model"]["profile"]["subpixel_bits"], 8)
         self.assertIn("this model explains all", text)
         for key in ("wrong", "gaps", "overlaps", "refused", "unjudged"):
@@ -79,6 +79,36 @@ class Survey(unittest.TestCase):
         survey, _ = self.survey("--exec", f"{MISBEHAVES} sound")
         self.assertGreater(total(survey, "gaps"), 0)
         self.assertEqual(total(survey, "overlaps"), 0)
+
+    def test_the_report_shows_surveys_and_refuses_what_is_none(self):
+        page = os.path.join(self.folder, "page")
+        certify = ("certify", "--subject", "spans-exact", "--cases", "1", "--out", page,
+                   "--survey", self.folder)  # fmt: skip
+        done = run(*certify)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"the folder has no survey", done.stderr)
+        surveys = [os.path.join(self.folder, name) for name in ("a.json", "b.json")]
+        for path, subject in zip(surveys, ("--subject=f32-direct", f"--exec={MISBEHAVES} crashes")):
+            run("survey", subject, *FEW, "--json", path)
+        done = run(*certify)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(os.path.join(page, "report.html"), encoding="utf-8") as file:
+            report = file.read()
+        for path, row in zip(surveys, ("survey-0", "survey-1")):
+            with open(path, encoding="utf-8") as file:
+                survey = json.load(file)
+            self.assertIn(f'<a class="name" href="#{row}">', report)
+            for found in (f for domain in survey["domains"] for f in domain["findings"]):
+                self.assertIn(found["name"], report)
+        self.assertIn("signal 11", report)
+        done = run(*certify, "--shard", "1/2")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"give it to --merge", done.stderr)
+        with open(surveys[1], "r+", encoding="utf-8") as file:
+            file.truncate(1000)
+        done = run(*certify)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn(b"b.json", done.stderr)
 
 
 if __name__ == "__main__":

@@ -158,8 +158,10 @@ class Crews {
                         .width = surface.width(),
                         .height = surface.height(),
                         .pitch = static_cast<std::size_t>(surface.pitch()) * bytes};
-    target.memory = {surface.plane(0), RoomFor(target)};
-    if (surface.sink() == Sink::kFacing) target.back = {surface.plane(1), RoomFor(target)};
+    // A surface has at least so many rows.
+    const std::size_t room = static_cast<std::size_t>(surface.height() + 8) * target.pitch;
+    target.memory = {surface.plane(0), room};
+    if (surface.sink() == Sink::kFacing) target.back = {surface.plane(1), room};
     const std::span<const float> positions(&given.vertices.data()->x, 3 * given.vertices.size());
     auto& crews = given.indices.size() >= 3 * kThreaded ? at_once_ : in_turn_;
     crews[crew].Rasterize({positions, given.indices}, target);

@@ -272,9 +272,13 @@ class MaskSink {
       return;
     }
     Or(line + 8 * first, from);
-    for (int word = first + 1; word < last; ++word) {
-      const std::uint64_t all = ~std::uint64_t{0};
-      __builtin_memcpy(line + 8 * word, &all, 8);
+    if constexpr (kBytes > 1) {
+      Fill(line + 8 * (first + 1), 8 * (last - first - 1));
+    } else {
+      for (int word = first + 1; word < last; ++word) {
+        const std::uint64_t all = ~std::uint64_t{0};
+        __builtin_memcpy(line + 8 * word, &all, 8);
+      }
     }
     Or(line + 8 * last, to);
   }
@@ -331,6 +335,23 @@ class MaskSink {
   }
 
  private:
+  // Vectors of 64 bytes, which would lie across lines, take twice as long as these.
+  using D = hn::CappedTag<std::uint8_t, 32>;
+  static constexpr int kBytes = kLanesOf<D>;
+
+  // All bits of whole words. Vectors leave full ones as they are.
+  HWY_INLINE static void Fill(std::uint8_t* p, int bytes) {
+    if (bytes < kBytes) {
+      for (int at = 0; at < bytes; at += 8) Or(p + at, ~std::uint64_t{0});
+      return;
+    }
+    const auto all = hn::Set(D(), std::uint8_t{255});
+    const auto fill = [all](std::uint8_t* at) {
+      if (!hn::AllTrue(D(), hn::Eq(hn::LoadU(D(), at), all))) hn::StoreU(all, D(), at);
+    };
+    for (int at = 0; at < bytes - kBytes; at += kBytes) fill(p + at);
+    fill(p + bytes - kBytes);
+  }
   HWY_INLINE static void Or(std::uint8_t* p, std::uint64_t bits) {
     std::uint64_t word;
     __builtin_memcpy(&word, p, 8);

@@ -18,7 +18,8 @@ FLAGS = "-std=c++20 -O2 -Wall -Wextra -Wconversion -Werror -ffp-contract=off -st
 NEON = ["-march=armv8-a+crypto"]
 ALONE = ["reference/kernels/kernels_neon.cc"]
 TOGETHER = """tests/reference/kernel_digests.cc reference/kernels/kernel.cc
-  reference/kernels/kernels_scalar.cc reference/kernels/exact_fallback.cc
+  reference/kernels/kernels_scalar.cc reference/kernels/clip_fallback.cc
+  reference/kernels/exact_fallback.cc
   reference/row_crossing.cc reference/exact_sign.cc reference/exact_sum.cc""".split()
 FEWEST_LINES = 200
 

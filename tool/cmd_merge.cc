@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,15 +89,37 @@ void SortByCases(Parts& parts) {
   });
 }
 
+// Throws if there are shards that are in no file; `file` is the one before the first.
+void RequireNoHoles(const std::string& file, const std::vector<std::uint64_t>& holes,
+                    std::uint64_t count) {
+  if (holes.empty()) return;
+  constexpr std::size_t kMostNamed = 16;
+  std::vector<std::string> numbers;
+  std::vector<std::string> shards;
+  for (const std::uint64_t hole : std::span(holes).first(std::min(holes.size(), kMostNamed))) {
+    numbers.push_back(std::to_string(hole));
+    shards.push_back("--shard " + ShardText({hole, count}));
+  }
+  if (holes.size() > kMostNamed) {
+    numbers.push_back(fmt::format("{} more", holes.size() - kMostNamed));
+  }
+  const bool is_one = holes.size() == 1;
+  throw InputError(file,
+                   fmt::format("{} {} of {} {} in none of the files", is_one ? "shard" : "shards",
+                               fmt::join(numbers, ", "), count, is_one ? "is" : "are"),
+                   fmt::format("run {} ({}) and give {} too", is_one ? "it" : "each",
+                               fmt::join(shards, ", "), is_one ? "its file" : "their files"));
+}
+
 void RequireShards(const Parts& parts) {
   const std::uint64_t count = parts.front().shard->count;
   std::uint64_t next = 1;
+  std::vector<std::uint64_t> holes;
   const SubjectPart* last = nullptr;
-  const auto refuse_hole = [&](std::uint64_t number) {
-    throw InputError(
-        last == nullptr ? parts.front().file : last->file,
-        fmt::format("shard {} of {} is in none of the files", number, count),
-        fmt::format("run it (--shard {}) and give its file too", ShardText({number, count})));
+  const SubjectPart* before_hole = nullptr;
+  const auto add_holes = [&](std::uint64_t end) {
+    if (next < end && holes.empty()) before_hole = last == nullptr ? &parts.front() : last;
+    for (; next < end; ++next) holes.push_back(next);
   };
   for (const SubjectPart& part : parts) {
     if (last != nullptr && last->shard == part.shard) {
@@ -104,14 +127,15 @@ void RequireShards(const Parts& parts) {
                        fmt::format("shard {} is in {} too", ShardText(*part.shard), last->file),
                        "give one of them");
     }
-    if (part.shard->number != next) refuse_hole(next);
+    add_holes(part.shard->number);
     if (part.range != CasesOf(*part.shard, part.cases.value_or(0))) {
       throw InputError(part.file, "its cases are not those of its shard", "run it again");
     }
     last = &part;
     ++next;
   }
-  if (next <= count) refuse_hole(next);
+  add_holes(count + 1);
+  RequireNoHoles(before_hole == nullptr ? "" : before_hole->file, holes, count);
 }
 
 void RequireRanges(const Parts& parts) {

@@ -148,7 +148,8 @@ class Refused(Parts):
         self.refused(self.merge(*shards[:2]), "part-2-of-3.json", "shard 3 of 3 is in none",
                      "--shard 3/3")  # fmt: skip
         self.refused(self.merge(shards[0], shards[2]), "part-1-of-3.json", "shard 2 of 3")
-        self.refused(self.merge(shards[2]), "part-3-of-3.json", "shard 1 of 3", "--shard 1/3")
+        self.refused(self.merge(shards[2]), "part-3-of-3.json", "shards 1, 2 of 3 are in none",
+                     "run each (--shard 1/3, --shard 2/3)")  # fmt: skip
         self.refused(self.merge(*shards, shards[1]), "shard 2/3 is in", "part-2-of-3.json too",
                      "give one of them")  # fmt: skip
         low, high, both = (self.part(cases=cases) for cases in ("0..10", "20..30", "5..30"))

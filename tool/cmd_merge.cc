@@ -161,7 +161,13 @@ void RequireRanges(const Parts& parts) {
 
 Parts ReadAll(const std::vector<std::string>& files) {
   Parts parts;
-  for (const std::string& file : files) parts.push_back(ReadPart(file));
+  for (const std::string& file : files) {
+    if (file.starts_with("--")) {
+      throw InputError("--merge", "it takes " + file + " for a file, as every word after it",
+                       "write other options before it");
+    }
+    parts.push_back(ReadPart(file));
+  }
   RequireAgreement(parts);
   SortByCases(parts);
   if (parts.front().shard) {

@@ -152,6 +152,8 @@ class Refused(Parts):
                      "run each (--shard 1/3, --shard 2/3)")  # fmt: skip
         self.refused(self.merge(*shards, shards[1]), "shard 2/3 is in", "part-2-of-3.json too",
                      "give one of them")  # fmt: skip
+        self.refused(self.run_it("certify", "--merge", "--subject", "spans-exact"),
+                     "--merge: it takes --subject for a file", "before it")  # fmt: skip
         low, high, both = (self.part(cases=cases) for cases in ("0..10", "20..30", "5..30"))
         self.refused(self.merge(low, high), "part-20-to-30.json", "--cases 10..20")
         self.refused(self.merge(high), "part-20-to-30.json", "--cases 0..20")

@@ -33,11 +33,14 @@ namespace rasterproof {
 /// What the positions of a mesh are. Window space: x, y, z of each vertex, in pixels, x right, y
 /// down; pixel (i, j) has its centre at (i + 1/2, j + 1/2). Clip space: x, y, z, w of each, already
 /// scaled to the viewport, so that (x / w, y / w) is its place in the window and z / w its depth;
-/// any sign of w.
+/// any sign of w. Of clip coordinates (X, Y, z, w), Y up, that is x = (w + X) width / 2 and
+/// y = (w - Y) height / 2: computed once for each vertex, for what it rounds moves the vertex.
 ///
 /// In clip space a pixel is covered if the ray through its centre meets the triangle before the
 /// eye, exactly, vertices at or behind the eye or not: nothing is divided by w, and nothing is
-/// clipped. The near plane keeps what has such a z.
+/// clipped. With a near plane only points that satisfy its condition are kept, those exactly on it
+/// included. There is no far plane. A triangle with a NaN or an infinity in x, y or w, or in z
+/// where there is a near plane, covers nothing.
 enum class RasterSpace : std::uint8_t {
   kWindow,
   kClip,           ///< without a near plane
@@ -61,9 +64,8 @@ struct RasterMesh {
 /// in float32, never less than their least z nor more than their greatest; their least throughout
 /// where float32 finds no plane, because the area rounds to zero or a coefficient is 2^100 or more.
 /// A triangle with a z that is a NaN or an infinity leaves depths as they are. In clip space the z
-/// of a pixel is z / w of the triangle there, computed in double and rounded, not cut to the
-/// vertices' range; a triangle with a NaN or an infinity in w, or in z where there is a near plane,
-/// covers nothing.
+/// of a pixel is z / w of the triangle there, computed in double and rounded, at most float32's
+/// largest number in size, and not cut to the vertices' range.
 ///
 /// The last three are of window space, of pixels' squares in place of their centres, and of the
 /// mesh as a whole. A triangle without area meets no square.

@@ -52,7 +52,11 @@ enum rasterproof_raster_set {
   RASTERPROOF_RASTER_NEON = 5
 };
 
-/* `space` below: see RasterSpace. */
+/* `space` below. Clip space is scaled to the viewport: (x / w, y / w) is a vertex's place in the
+ * window. Of clip coordinates (X, Y, z, w), Y up, that is x = (w + X) width / 2 and
+ * y = (w - Y) height / 2. Depths are z / w. Vertices may lie at or behind the eye; a triangle with
+ * a NaN or an infinity in x, y or w, or in z where there is a near plane, covers nothing. There is
+ * no far plane, and no output of squares. */
 enum rasterproof_raster_space {
   RASTERPROOF_RASTER_WINDOW = 0, /* pixels, x right, y down; pixel (i, j) has its centre at
                                     (i + 1/2, j + 1/2) */

@@ -16,7 +16,8 @@ bool KernelsTake(const Scene& scene);
 bool ClipKernelTakes(const Scene& scene);
 
 /// Returns whether a kernel repays the separate surface that it draws on: with some dozens of
-/// triangles, and not many pixels for each. It is measured by `rasterproof plan --measure`.
+/// triangles, and not many pixels for each. It is measured by `rasterproof plan --measure`, in
+/// window space.
 bool KernelsPay(const Scene& scene);
 
 /// Adds the scene's coverage by a kernel to `counts`, by the machine's widest vectors: the counts

@@ -16,7 +16,8 @@ namespace rasterproof::reference::kernels::HWY_NAMESPACE {
 struct alignas(64) ClipBlock {
   double x[3][kBlock], y[3][kBlock], z[3][kBlock], w[3][kBlock];
   /// A row at y crosses edge e at slope y + from, from with 1/2 + the error. A fraction of at least
-  /// twice_error, the largest one, tells the column. An edge without a guess cuts nothing.
+  /// twice_error, the largest one, tells the column. An edge without a guess cuts nothing
+  /// here: CutExactly or ClipRows does.
   double slope[3][kBlock], from[3][kBlock], twice_error[kBlock];
   double side[3][kBlock];  ///< infinity: columns from the crossing on are inside; -infinity: before
   double zc[kBlock], zx[kBlock], zy[kBlock];
@@ -220,7 +221,9 @@ HWY_INLINE VD ClipDeterminants(const KernelView& view, const ClipGroup& g, const
   const VD value = hn::Add(hn::Add(by_x, by_y), by_w);
   const VD sizes = hn::Add(hn::Add(hn::Abs(by_x), hn::Abs(by_y)), hn::Abs(by_w));
   constexpr double kLeast = kNeedsPlane ? kClipPlainDeterminant : kClipDotError;
-  const MD certain = hn::Gt(hn::Abs(value), hn::Mul(sizes, hn::Set(dd, kLeast)));
+  // Without a term there is no doubt: nothing underflows.
+  const MD certain = hn::Or(hn::Gt(hn::Abs(value), hn::Mul(sizes, hn::Set(dd, kLeast))),
+                            hn::Eq(sizes, hn::Zero(dd)));
   std::uint32_t open = needed & ~Bits32(certain);
   if (HWY_LIKELY(open == 0)) return value;
   alignas(64) double values[kDoubles];

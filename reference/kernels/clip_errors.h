@@ -17,6 +17,12 @@ namespace rasterproof::reference::kernels {
 ///             `./run test-more`.
 inline constexpr double kClipDotError = 0x1.4p-51;
 
+/// Of the near plane's sum of n_k (N . (x, y, 1)), N of the edge opposite corner k, n_k = z_k or
+/// z_k + w_k, in units of the sum of its nine terms' sizes: the same, and n_k, its product and two
+/// sums: 8.1 u, and the sizes' own rounding takes less than 1 u.
+/// Proof:      proofs/clip_kernel.g.
+inline constexpr double kClipNearError = 0x1.4p-50;
+
 /// Of a guess -(ny y + nw) / nx + 1/2 + error, computed as y s + (f + (1/2 + error)), s = -ny / nx,
 /// f = -nw / nx, in units of |s| y + |f| + 1, y the largest one: the quotients are off by 4u (both
 /// components, a reciprocal, a product), and a product and two sums round after them: less than
@@ -32,11 +38,12 @@ inline constexpr double kClipWorstGuess = 0x1p-10;
 /// exactly: so 1 / |D| is off by a relative 2^-24 at most.
 inline constexpr double kClipPlainDeterminant = 0x1p-26;
 
-/// Of the depth z at (x, y), |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S)
-/// / |D|: M is the sum over corners k of |z_k| (|N.x| x + |N.y| y + |N.w|), N of the opposite edge,
-/// S the sum of the sizes of D's three terms. A coefficient carries its N, a product, two sums and
-/// the quotient, and then a product and two sums: 8.1 u of M; D is off by 4.1 u of S, or by u. Then
-/// z rounds to float32.
+/// Of the depth z at (x, y), where |z| is no larger than float32's largest number (else that is
+/// stored): |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S) / |D|: M is the
+/// sum over corners k of |z_k| (|N.x| x + |N.y| y + |N.w|), N of the opposite edge, S the sum of
+/// the sizes of D's three terms. A coefficient carries its N, a product, two sums and the quotient,
+/// and then a product and two sums: 8.1 u of M; D is off by 4.1 u of S, or by u. Then z rounds to
+/// float32.
 /// Proof:      proofs/clip_kernel.g.
 /// Measured:   largest error / bound 0.998, of what comes before the last rounding 0.103,
 ///             ClipKernel.DepthsStayWithinTheirBound by `./run test-more`.

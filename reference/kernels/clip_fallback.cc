@@ -8,7 +8,8 @@
 namespace rasterproof::reference::kernels {
 namespace {
 
-/// An edge's N = V_j x V_i, each component a difference of two exact products.
+/// An edge's N = V_j x V_i, each component a difference of two products that are exact, for the
+/// coordinates are float32: sums of two factors do, where ../homogeneous_exact.cc has three.
 struct ClipNormal {
   double plus[3], minus[3];
 
@@ -47,11 +48,23 @@ int EdgeDotSign(const ClipNormal& n, double x, double y) {
 
 /// The sign of the sum over corners of z_k, or z_k + w_k, times the opposite edge at (x, y).
 int NearDotSign(const ClipTriangle& t, double x, double y) {
+  const bool has_w = t.near_plane == NearPlane::kMinusW;
+  double value = 0;
+  double sizes = 0;
+  for (int k = 0; k < 3; ++k) {
+    const ClipNormal opposite(t, (k + 1) % 3, (k + 2) % 3);
+    const double products[3] = {opposite.At(0) * x, opposite.At(1) * y, opposite.At(2)};
+    const double factor = has_w ? t.z[k] + t.w[k] : t.z[k];
+    value += factor * ((products[0] + products[1]) + products[2]);
+    sizes += std::fabs(factor) *
+             (std::fabs(products[0]) + std::fabs(products[1]) + std::fabs(products[2]));
+  }
+  if (std::fabs(value) > kClipNearError * sizes) return SignOf(value);
   ExactSum sum;
   for (int k = 0; k < 3; ++k) {
     const ClipNormal opposite(t, (k + 1) % 3, (k + 2) % 3);
     AddDot(sum, opposite, t.z[k], x, y, 1);
-    if (t.near_plane == NearPlane::kMinusW) AddDot(sum, opposite, t.w[k], x, y, 1);
+    if (has_w) AddDot(sum, opposite, t.w[k], x, y, 1);
   }
   return sum.Sign();
 }
@@ -103,10 +116,7 @@ bool IsInsideClipEdge(const ClipTriangle& t, int edge, int facing, double x, dou
   return by_x > 0 || (by_x == 0 && facing * SignOf(n.At(1)) > 0);
 }
 
-void ClipColumns(const ClipTriangle& t, int edge, int facing, int row, int width, int& first,
-                 int& last) {
-  first = 0;
-  last = width;
+void ClipColumns(const ClipTriangle& t, int edge, int facing, int row, int& first, int& last) {
   Narrow(first, last, [&](int i) { return IsInsideClipEdge(t, edge, facing, i + 0.5, row + 0.5); });
 }
 

@@ -45,11 +45,7 @@ inline HWY_NOINLINE void CutExactly(const KernelView& view, const ClipBlock& blo
   for (int e = 0; e <= kNearEdge; ++e) {
     if (!block.Has(e == kNearEdge ? block.cut : block.searched[e], i)) continue;
     for (int r = 0; r < rows; ++r) {
-      int from = 0;
-      int to = 0;
-      ClipColumns(t, e, facing, row + r, view.width, from, to);
-      first[r] = Greatest(first[r], from);
-      last[r] = Greatest(first[r], Least(last[r], to));
+      if (first[r] < last[r]) ClipColumns(t, e, facing, row + r, first[r], last[r]);
     }
   }
 }

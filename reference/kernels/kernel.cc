@@ -227,7 +227,7 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
     full.resize(strip_height / 8 * full_pitch);
   }
   std::array<std::uint64_t, 3> tiers{};
-  const KernelView view{.vertices = &scene.vertices.data()->x,
+  const KernelView view{.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x,
                         .indices = scene.indices.data(),
                         .triangles = scene.indices.size() / 3,
                         .width = scene.width,
@@ -251,7 +251,7 @@ void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
   RequireSize(surface, scene.width, scene.height);
   const FloatEnvironment sane;
   KernelView view{};
-  view.vertices = &scene.vertices.data()->x;
+  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
   view.indices = scene.indices.data();
   view.triangles = scene.indices.size() / 3;
   view.width = scene.width;

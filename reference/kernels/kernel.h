@@ -151,8 +151,9 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
 /// a NaN or an infinity in x, y or w, or in z where there is a near plane, cover nothing. Allocates
 /// nothing, and draws the same in whatever floating-point mode its caller left.
 ///
-/// kDepth keeps the least z / w, which is affine on the screen: see kClipDepthError. A z that is
-/// not finite leaves it as it is.
+/// kDepth keeps the least z / w, which is affine on the screen: see kClipDepthError. Beyond
+/// float32's range it is float32's largest number. A vertex's z that is not finite leaves depths as
+/// they are.
 ///
 /// Domain:     a target of SupportedTargets(); a surface of the scene's size. InputError otherwise.
 void DrawClip(Target target, const ClipScene& scene, Surface& surface);

@@ -18,7 +18,7 @@ struct KernelSpan {
 };
 
 /// Which points of a triangle in clip space are kept by their z: 0 <= z as in Vulkan and Direct3D,
-/// -w <= z as in OpenGL, z itself among them.
+/// -w <= z as in OpenGL, the plane itself included.
 enum class NearPlane : std::uint8_t { kNone, kZero, kMinusW };
 
 /// A scene and a surface as a kernel sees them.
@@ -82,9 +82,8 @@ double ClipDeterminant(const ClipTriangle& t);
 /// an edge if the top-left rule gives it to the triangle, exactly on the near plane always.
 bool IsInsideClipEdge(const ClipTriangle& t, int edge, int facing, double x, double y);
 
-/// The columns of 0 to width whose centres in the row are inside one edge: [first, last).
-void ClipColumns(const ClipTriangle& t, int edge, int facing, int row, int width, int& first,
-                 int& last);
+/// Leaves of columns [first, last) those whose centres in the row are inside one edge.
+void ClipColumns(const ClipTriangle& t, int edge, int facing, int row, int& first, int& last);
 
 /// Leaves of rows [first, last) those that lie inside an edge parallel to them.
 void ClipRows(const ClipTriangle& t, int edge, int facing, int& first, int& last);

@@ -203,7 +203,8 @@ class Depth {
   float row_z_ = 0;
 };
 
-/// z / w of clip space, computed in double and rounded to float32.
+/// z / w of clip space, computed in double and rounded to float32; beyond float32's range its
+/// largest number of that sign.
 class ClipDepth {
  public:
   using T = float;
@@ -223,10 +224,16 @@ class ClipDepth {
   }
 
  private:
+  static constexpr double kMostDepth = 0x1.fffffep127;
+
 #if HWY_TARGET == HWY_SCALAR
   template <class D>
   HWY_INLINE hn::Vec<D> At(D d, double x) const {
-    return hn::Set(d, static_cast<float>(row_z_ + z_.zx * x));
+    const double z = row_z_ + z_.zx * x;
+    // NaN stays.
+    return hn::Set(d, static_cast<float>(z > kMostDepth    ? kMostDepth
+                                         : z < -kMostDepth ? -kMostDepth
+                                                           : z));
   }
 #else
   template <class D>
@@ -237,8 +244,11 @@ class ClipDepth {
     constexpr int kN = kLanesOf<decltype(wide)>;
     const auto zs = [&](double first) {
       const auto centres = hn::Add(hn::Set(wide, first), hn::Load(wide, kFirstDoubles));
-      return hn::DemoteTo(half,
-                          hn::Add(hn::Set(wide, row_z_), hn::Mul(hn::Set(wide, z_.zx), centres)));
+      const auto z = hn::Add(hn::Set(wide, row_z_), hn::Mul(hn::Set(wide, z_.zx), centres));
+      const auto most = hn::Set(wide, kMostDepth);
+      const auto least = hn::Set(wide, -kMostDepth);
+      const auto below = hn::IfThenElse(hn::Gt(z, most), most, z);  // NaN stays
+      return hn::DemoteTo(half, hn::IfThenElse(hn::Lt(below, least), least, below));
     };
     return hn::Combine(d, zs(x + kN), zs(x));
   }

@@ -57,7 +57,8 @@ const T& Required(const T* argument, const char* name) {
 }
 
 std::size_t Times(std::size_t each, std::size_t n, const char* name) {
-  if (n <= std::numeric_limits<std::uint32_t>::max()) return each * n;
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (n <= std::min(kMost, std::numeric_limits<std::size_t>::max() / each)) return each * n;
   throw InputError(name, "too many", "draw parts of fewer than 2^29");
 }
 

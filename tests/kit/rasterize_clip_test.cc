@@ -79,8 +79,11 @@ void ExpectRows(const std::vector<std::byte>& memory, const Kept& kept, kernels:
     const std::byte* const expected =
         surface.plane(0) + static_cast<std::size_t>(y * surface.pitch()) * unit;
     const std::byte* const row = memory.data() + static_cast<std::size_t>(y) * kept.row;
-    const std::size_t whole = kept.sink == kernels::Sink::kMask ? kClipWidth / 8 : kept.row;
-    ASSERT_EQ(std::memcmp(row, expected, whole), 0) << name << " row " << y;
+    const bool is_mask = kept.sink == kernels::Sink::kMask;
+    ASSERT_EQ(std::memcmp(row, expected, is_mask ? kClipWidth / 8 : kept.row), 0)
+        << name << " row " << y;
+    constexpr auto kLast = static_cast<std::byte>((1 << kClipWidth % 8) - 1);
+    if (is_mask) ASSERT_EQ(row[kept.row - 1] & kLast, expected[kept.row - 1] & kLast) << name;
   }
 }
 
@@ -114,18 +117,25 @@ TEST(RasterizeClip, GivesSpansAndMarksWhatCoversNothing) {
   const ClipMesh mesh = RandomClipMesh(99);
   kernels::Surface ids(kernels::Sink::kId, kClipWidth, kClipHeight);
   kernels::DrawClip(kernels::Target::kScalar, mesh.Scene(kernels::NearPlane::kZero), ids);
+  kernels::Surface facing(kernels::Sink::kFacing, kClipWidth, kClipHeight);
+  kernels::DrawClip(kernels::Target::kScalar, mesh.Scene(kernels::NearPlane::kZero), facing);
+  std::vector<std::uint64_t> counts(std::size_t{kClipWidth} * kClipHeight);
   std::vector<std::uint32_t> drawn(std::size_t{kClipWidth} * kClipHeight, kNoTriangle);
   std::vector<std::uint8_t> covers_nothing(mesh.indices.size() / 3, 1);
   Rasterize(mesh.In(RasterSpace::kClipNearZero), kClipWidth, kClipHeight,
             [&](const RasterSpan& span) {
               covers_nothing[span.triangle] = 0;
               for (int x = span.x0; x < span.x1; ++x) {
-                drawn[static_cast<std::size_t>(span.y * kClipWidth + x)] = span.triangle;
+                const auto at = static_cast<std::size_t>(span.y * kClipWidth + x);
+                drawn[at] = span.triangle;
+                counts[at] += span.is_front ? 1 : std::uint64_t{1} << 32;
               }
             });
   for (int y = 0; y < kClipHeight; ++y) {
     for (int x = 0; x < kClipWidth; ++x) {
-      ASSERT_EQ(drawn[static_cast<std::size_t>(y * kClipWidth + x)], ids.At(x, y));
+      const auto at = static_cast<std::size_t>(y * kClipWidth + x);
+      ASSERT_EQ(drawn[at], ids.At(x, y));
+      ASSERT_EQ(counts[at], facing.At(x, y));
     }
   }
   std::vector<std::uint8_t> is_empty(covers_nothing.size());

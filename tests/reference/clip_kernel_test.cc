@@ -126,6 +126,31 @@ TEST(ClipKernel, DrawsNothingOfWhatIsNotFinite) {
   }
 }
 
+// z / w beyond what float32 holds, before and behind.
+TEST(ClipKernel, DepthsEndAtTheLargestNumber) {
+  constexpr float kMost = std::numeric_limits<float>::max();
+  OwnedClipScene owned;
+  owned.width = owned.height = 8;
+  owned.indices = {0, 1, 2};
+  for (const float z : {1e30F, -1e30F}) {
+    owned.vertices = {{0, 0, z, 1e-20F}, {8e-20F, 0, z, 1e-20F}, {0, 8e-20F, z, 1e-20F}};
+    for (const Target target : SupportedTargets()) {
+      Surface depth(Sink::kDepth, 8, 8);
+      DrawClip(target, owned.View(), depth);
+      EXPECT_EQ(depth.At(1, 1), std::bit_cast<std::uint32_t>(std::copysign(kMost, z)));
+    }
+  }
+}
+
+TEST(ClipKernel, DrawsNothingOfNoTriangles) {
+  const OwnedClipScene owned;
+  for (const Target target : SupportedTargets()) {
+    Surface mask(Sink::kMask, 1, 1);
+    DrawClip(target, owned.View(), mask);
+    EXPECT_EQ(mask.At(0, 0), 0U);
+  }
+}
+
 TEST(ClipKernel, LeavesDepthsWhereAVertexHasNone) {
   OwnedClipScene owned;
   owned.width = owned.height = 8;
@@ -142,7 +167,8 @@ TEST(ClipKernel, LeavesDepthsWhereAVertexHasNone) {
   }
 }
 
-// Triangle by triangle: the coverage without a near plane where the plane's side is right.
+// Triangle by triangle: the kernel's own coverage without a near plane, which the tests above hold
+// against the oracle, where the plane's side is right.
 TEST(ClipKernel, NearPlaneIsOneMoreEdge) {
   std::int64_t kept = 0;
   std::int64_t cut = 0;

@@ -48,7 +48,7 @@ class CoordinateSpeller {
       if (!(anchor >= 0 && anchor < static_cast<double>(kHalfPixels))) continue;
       if (FindAt(static_cast<std::uint64_t>(anchor), halves - anchor, fine)) return true;
     }
-    if (std::fabs(place) < 1) return false;
+    if (!std::isfinite(place) || std::fabs(place) < 1) return false;
     const int exponent = std::ilogb(place);
     for (const int far : {2 * (exponent - 7), 2 * (exponent - 6)}) {
       const int signed_far = far + (place < 0 ? 1 : 0);

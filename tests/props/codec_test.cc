@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,23 @@ TEST(Codec, GivesTheSameCaseForTheSameBytes) {
     std::vector<std::uint8_t> bytes = RandomBytes(i, 80);
     bytes[0] &= 0x7f;  // spelled out: no NaN, which is not equal to itself
     EXPECT_EQ(DecodeCase(bytes, RealInfo()), DecodeCase(bytes, RealInfo()));
+  }
+}
+
+// On a grid a step beyond the largest number is an infinity, which lies at no anchor.
+TEST(Codec, ReadsBackTheLargestNumbers) {
+  for (const Precision input : {Precision::kFloat32, Precision::kFloat64}) {
+    SubjectInfo info = SnappedInfo(4);
+    info.input = input;
+    const double most = input == Precision::kFloat32 ? double{std::numeric_limits<float>::max()}
+                                                     : std::numeric_limits<double>::max();
+    info.profile.coordinate_limit = most;
+    Case c = DecodeCase(RandomBytes(1, 0), info);
+    c.options = {};
+    c.scene.precision = input;
+    c.scene.vertices = {{most, -most}, {-most, most}, {0.5, most}};
+    c.scene.triangles = {{0, 1, 2}};
+    EXPECT_EQ(DecodeCase(EncodeCase(c, info), info).scene.vertices, c.scene.vertices);
   }
 }
 

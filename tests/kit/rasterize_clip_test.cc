@@ -83,7 +83,9 @@ void ExpectRows(const std::vector<std::byte>& memory, const Kept& kept, kernels:
     ASSERT_EQ(std::memcmp(row, expected, is_mask ? kClipWidth / 8 : kept.row), 0)
         << name << " row " << y;
     constexpr auto kLast = static_cast<std::byte>((1 << kClipWidth % 8) - 1);
-    if (is_mask) ASSERT_EQ(row[kept.row - 1] & kLast, expected[kept.row - 1] & kLast) << name;
+    if (is_mask) {
+      ASSERT_EQ(row[kept.row - 1] & kLast, expected[kept.row - 1] & kLast) << name;
+    }
   }
 }
 

@@ -403,22 +403,51 @@ struct ClipErrors {
   }
 };
 
+// The same of the near plane's sum: over corners k the z_k, or z_k + w_k, times the opposite edge.
+double NearError(const std::array<ClipVertex, 3>& v, bool has_w, double x, double y) {
+  double value = 0;
+  double sizes = 0;
+  Rational exact;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const ClipVertex& a = v[(k + 1) % 3];
+    const ClipVertex& b = v[(k + 2) % 3];
+    const double terms[3] = {(double{b.y} * a.w - double{b.w} * a.y) * x,
+                             (double{b.w} * a.x - double{b.x} * a.w) * y,
+                             double{b.x} * a.y - double{b.y} * a.x};
+    const double factor = has_w ? double{v[k].z} + v[k].w : double{v[k].z};
+    value += factor * ((terms[0] + terms[1]) + terms[2]);
+    sizes += std::fabs(factor) * (std::fabs(terms[0]) + std::fabs(terms[1]) + std::fabs(terms[2]));
+    const Rational n = has_w ? Rational(v[k].z) + Rational(v[k].w) : Rational(v[k].z);
+    exact += n * ((Rational(b.y) * Rational(a.w) - Rational(b.w) * Rational(a.y)) * Rational(x) +
+                  (Rational(b.w) * Rational(a.x) - Rational(b.x) * Rational(a.w)) * Rational(y) +
+                  (Rational(b.x) * Rational(a.y) - Rational(b.y) * Rational(a.x)));
+  }
+  return (Rational(value) - exact).Abs().ToDouble() / (kClipNearError * sizes);
+}
+
 TEST(ClipKernel, GuessesAndFiltersStayWithinTheirErrors) {
   RandomValues random(13);
   ClipErrors errors;
+  double near = 0;
   for (int i = 0; i < Cases(RunsMore() ? 2'000'000 : 40'000); ++i) {
     const auto vertex = [&] {
       const auto w = static_cast<float>(std::ldexp(random.Uniform(-1, 1), random.Integer(-8, 8)));
       return ClipVertex{static_cast<float>(random.Uniform(-2, 4) * 100 * w),
-                        static_cast<float>(random.Uniform(-2, 4) * 100 * w), 0, w};
+                        static_cast<float>(random.Uniform(-2, 4) * 100 * w),
+                        static_cast<float>(random.Uniform(-1, 1) * w), w};
     };
+    near = std::max(near, NearError({vertex(), vertex(), vertex()}, i % 2 == 0,
+                                    random.Integer(0, 99) + 0.5, random.Integer(0, 99) + 0.5));
     errors.Measure(vertex(), vertex(), random.Integer(0, 99), random.Integer(0, 99), 100);
   }
-  std::cout << "largest error / bound: guess " << errors.guess << ", filter " << errors.dot << '\n';
+  std::cout << "largest error / bound: guess " << errors.guess << ", filter " << errors.dot
+            << ", of the near plane " << near << '\n';
   EXPECT_LT(errors.guess, 1);
   EXPECT_LT(errors.dot, 1);
   EXPECT_GT(errors.guess, 0.05) << "the search looks where there is no error";
   EXPECT_GT(errors.dot, 0.2);
+  EXPECT_LT(near, 1);
+  EXPECT_GT(near, 0.1);
 }
 
 TEST(ClipKernel, RefusesASurfaceOfAnotherSize) {

@@ -20,7 +20,7 @@ constexpr auto kOrdinary = std::to_array<std::string_view>(
 constexpr auto kNearEdges = std::to_array<std::string_view>(
     {"vertices-on-samples", "axis-aligned", "edges-through-samples", "near-edge", "hardest-sample",
      "hardest-vertex", "ulp-extremes", "rounded-differences", "least-areas", "rows-and-columns",
-     "long-rows"});
+     "long-rows", "pattern-lines"});
 constexpr auto kThin =
     std::to_array<std::string_view>({"needles", "caps", "far-slivers", "diagonal-needles"});
 constexpr auto kMagnitudes = std::to_array<std::string_view>(

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 88;
+constexpr std::uint16_t kNextNumber = 89;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -441,6 +441,14 @@ constexpr std::array kDomains{
            .name = "far-tile-corners",
            .summary = "edges from far off that pass the corner of a tile as near as can be",
            .draw = FarTileCorners},
+    Domain{.number = 88,
+           .name = "pattern-lines",
+           .summary = "edges that pass exactly through many samples of a pattern of several",
+           .near_edge = true,
+           .ties = true,
+           .mesh = true,
+           .is_stated = [](const Profile& p) { return p.pattern.samples() > 1; },
+           .draw = PatternLines},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

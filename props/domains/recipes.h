@@ -21,6 +21,7 @@ Case TargetSizes(BitSource& bits, const SubjectInfo& info);
 // recipes_near_edge.cc
 Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info);
 Case NearEdge(BitSource& bits, const SubjectInfo& info);
+Case PatternLines(BitSource& bits, const SubjectInfo& info);
 Case HardestSamples(BitSource& bits, const SubjectInfo& info);
 Case HardestVertices(BitSource& bits, const SubjectInfo& info);
 Case UlpExtremes(BitSource& bits, const SubjectInfo& info);

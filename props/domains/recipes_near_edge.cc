@@ -3,7 +3,9 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
+#include "core/sample_pattern.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/hardest.h"
 #include "props/domains/lines.h"
@@ -20,6 +22,41 @@ Point2 Plus(Point2 p, double times, Point2 d) { return {p.x + times * d.x, p.y +
 double Reach(const CaseBuilder& builder, double most) {
   const double limit = std::max(1.0, builder.lattice().limit());
   return std::min(most, std::ldexp(1.0, std::ilogb(limit)));
+}
+
+// How many samples within four pixels of p lie on the line through p along d.
+int SamplesAlong(const SamplePattern& pattern, Point2 p, Point2 d) {
+  constexpr int kAround = 4;
+  const Point2 pixel{std::floor(p.x), std::floor(p.y)};
+  int on_line = 0;
+  for (int j = -kAround; j <= kAround; ++j) {
+    for (int i = -kAround; i <= kAround; ++i) {
+      for (const Point2& place : pattern.locations) {
+        const Point2 q{pixel.x + i + place.x - p.x, pixel.y + j + place.y - p.y};
+        on_line += d.x * q.y == d.y * q.x ? 1 : 0;
+      }
+    }
+  }
+  return on_line;
+}
+
+// Of four directions from p to samples near it, the one that passes the most.
+Point2 DirectionOfMostSamples(CaseBuilder& builder, Point2 p) {
+  const SamplePattern& pattern = builder.profile().pattern;
+  Point2 best{1, 0};
+  int most = 0;
+  for (int k = 0; k < 4; ++k) {
+    const Point2 place = builder.bits().OneOf(std::span<const Point2>(pattern.locations));
+    const auto i = static_cast<double>(builder.bits().Int(-2, 2));
+    const auto j = static_cast<double>(builder.bits().Int(-2, 2));
+    const Point2 d{std::floor(p.x) + i + place.x - p.x, std::floor(p.y) + j + place.y - p.y};
+    const int samples = d.x == 0 && d.y == 0 ? 0 : SamplesAlong(pattern, p, d);
+    if (samples > most) {
+      most = samples;
+      best = d;
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -148,6 +185,31 @@ Case LongRows(BitSource& bits, const SubjectInfo& info) {
   const Point2 v = Hardest(builder, place(end, builder.Uniform(0.25, across)), q, p);
   builder.AddTriangle({q, v, place(builder.Uniform(0, end), across + 1.0)});
   return builder.Done(Finish::kAnyOrder);
+}
+
+Case PatternLines(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  const Point2 p = builder.Sample();
+  const Point2 d = DirectionOfMostSamples(builder, p);
+  Segment edge = SegmentThrough(builder, p);
+  if (OnLattice(builder, p) == p && OnLattice(builder, Plus(p, 1, d)) == Plus(p, 1, d)) {
+    const auto before = static_cast<double>(bits.Int(1, 12));
+    const auto after = static_cast<double>(bits.Int(1, 12));
+    edge = {OnLattice(builder, Plus(p, -before, d)), OnLattice(builder, Plus(p, after, d))};
+  }
+  // A triangle on either side: at least a pixel high, the second the first turned about the middle.
+  const Point2 run{edge.b.x - edge.a.x, edge.b.y - edge.a.y};
+  const double longer = std::max(std::abs(run.x), std::abs(run.y));
+  const double unit = longer == 0 ? 0 : std::ldexp(1.0, -std::ilogb(longer));
+  const double across = unit * static_cast<double>(bits.Int(1, 8));
+  const double along = unit * static_cast<double>(bits.Int(-2, 2));
+  const Point2 apex = OnLattice(builder, Plus(Plus(edge.a, along, run), across, {-run.y, run.x}));
+  const Point2 turned{edge.a.x + edge.b.x - apex.x, edge.a.y + edge.b.y - apex.y};
+  const std::int32_t a = builder.Add(edge.a);
+  const std::int32_t b = builder.Add(edge.b);
+  builder.AddTriangle(a, b, builder.Add(apex));
+  if (OnLattice(builder, turned) == turned) builder.AddTriangle(b, a, builder.Add(turned));
+  return builder.Done(Finish::kMesh);
 }
 
 }  // namespace rasterproof::props

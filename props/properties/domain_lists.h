@@ -115,7 +115,7 @@ inline constexpr auto kModelCoverage = Both(
                                                 "earcut-meshes",        "scaled-viewports",
                                                 "tessellation-cracks",  "soups",
                                                 "coplanar-depths",      "every-lane",
-                                                "far-tile-corners"}));
+                                                "far-tile-corners",     "pattern-lines"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
@@ -127,7 +127,7 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "subdivisions", "covering-fans",
      "guard-band-ends", "folds", "near-rectangles", "every-size", "scaled-viewports",
-     "frame-sweeps"});
+     "frame-sweeps", "pattern-lines"});
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls =

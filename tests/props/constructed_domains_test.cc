@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sample_pattern.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
@@ -48,6 +49,59 @@ int SamplesOn(const Case& c, Point2 a, Point2 b) {
     on += along > 0 && from_b > 0 && exact::EdgeSign(a, b, p) == 0 ? 1 : 0;
   }
   return on;
+}
+
+// The places of a pattern that lie exactly on ab, in whichever pixels, and the samples there.
+struct OnLine {
+  std::set<int> places;
+  int samples = 0;
+};
+
+OnLine SamplesOnCommonEdge(const Case& c) {
+  const Scene& scene = c.scene;
+  OnLine on;
+  // The two places that both triangles have; their vertices may be repeated.
+  std::vector<Point2> common;
+  for (const Point2 p : PlacesOf(scene, scene.triangles[0])) {
+    if (std::ranges::count(PlacesOf(scene, scene.triangles[1]), p) != 0) common.push_back(p);
+  }
+  if (common.size() != 2) return on;
+  const auto [a, b] = std::pair{common[0], common[1]};
+  for (int pixel = 0; pixel < scene.width * scene.height; ++pixel) {
+    for (int s = 0; s < c.profile.pattern.samples(); ++s) {
+      const Point2 p = c.profile.pattern.At(pixel % scene.width, pixel / scene.width, s);
+      const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
+      const double from_b = (p.x - b.x) * (a.x - b.x) + (p.y - b.y) * (a.y - b.y);
+      if (along <= 0 || from_b <= 0 || exact::EdgeSign(a, b, p) != 0) continue;
+      on.places.insert(s);
+      ++on.samples;
+    }
+  }
+  return on;
+}
+
+TEST(PatternLines, PassSeveralPlacesOfThePatternInOneEdgeThatTwoTrianglesShare) {
+  EXPECT_FALSE(Suits(*FindDomain("pattern-lines"), SnappedInfo(8)));
+  for (const int samples : {2, 4, 8, 16}) {
+    for (SubjectInfo info : {RealInfo(), SnappedInfo(8)}) {
+      info.profile.pattern = *StandardPattern(samples);
+      ASSERT_TRUE(Suits(*FindDomain("pattern-lines"), info));
+      int meshes = 0;
+      int of_two_places = 0;
+      int of_six_samples = 0;
+      for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+        const Case c = DrawConstructed("pattern-lines", info, i);
+        const OnLine on = SamplesOnCommonEdge(c);
+        EXPECT_GE(on.samples, 1) << samples << " samples, case " << i;
+        meshes += c.scene.triangles.size() == 2 ? 1 : 0;
+        of_two_places += on.places.size() >= 2 ? 1 : 0;
+        of_six_samples += on.samples >= 6 ? 1 : 0;
+      }
+      EXPECT_EQ(meshes, kConstructedCases) << samples;
+      EXPECT_GE(of_two_places, 70) << samples;
+      EXPECT_GE(of_six_samples, 35) << samples;
+    }
+  }
 }
 
 TEST(TiltedGrids, HaveSharedEdgesThroughSamplesThatAreNeitherLevelNorDiagonal) {

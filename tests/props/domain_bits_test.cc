@@ -14,6 +14,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/sample_pattern.h"
 #include "core/square_presets.h"
 #include "props/codec/codec.h"
 #include "props/domains/bit_source.h"
@@ -82,6 +83,13 @@ SubjectInfo InfoWith() {
 }
 
 std::vector<SubjectInfo> StatingInfos(const Domain& domain) {
+  SubjectInfo several = SnappedInfo(8);
+  several.profile.pattern = *StandardPattern(4);
+  if (domain.is_stated(several.profile)) {
+    SubjectInfo most = RealInfo();
+    most.profile.pattern = *StandardPattern(16);
+    return {several, most};
+  }
   SubjectInfo squares = RealInfo();
   squares.profile = *SquarePreset("voxel");
   if (domain.is_stated(squares.profile)) {
@@ -217,6 +225,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {85, "frame-sweeps", 0x80bdc8317ff6a1e},
     {86, "every-lane", 0x2792612688570953},
     {87, "far-tile-corners", 0x1b676092fe08e0ae},
+    {88, "pattern-lines", 0xe99927507394bffd},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

@@ -113,8 +113,11 @@ class Measuring {
 
   std::string WhyNotDrawn() const {
     const SubjectInfo& info = description_.info;
-    if (family_.domain != nullptr) {
-      return Suits(*family_.domain, info) ? "" : "the subject takes none of the family's scenes";
+    if (const Domain* domain = family_.domain; domain != nullptr) {
+      if (domain->is_stated != nullptr && !domain->is_stated(info.profile)) {
+        return "the profile states nothing that the family is about";
+      }
+      return Suits(*domain, info) ? "" : "the subject takes none of the family's scenes";
     }
     if ((family_.world->cases - 1) / kMostOfWorld >= plan_.cases) {
       return "the world has " + std::to_string(family_.world->cases) + " cases, more than " +

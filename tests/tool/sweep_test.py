@@ -108,6 +108,17 @@ class Sweep(unittest.TestCase):
         self.assertIn("\nA: base, ", done.stdout)
         self.assertNotIn("\nB:", done.stdout)
 
+    def test_our_own_methods_are_swept_as_the_page_of_stiff_cases_says(self):
+        sources = ("methods.cc", *(f"../../../reference/{name}.cc" for name in ("box", "bands")))
+        for method, fused in ("F32Direct", True), ("I64Snap8", False):
+            done, result = sweep(*sources, cases=20, more=[
+                "--cflags", f"-std=c++20 -I{SOURCES} -DMETHOD={method}", "--build", FUSED])
+            (base, contracted) = result["builds"]
+            self.assertTrue(base["drawn"], done.stdout + done.stderr)
+            if contracted["drawn"]:
+                self.assertEqual(contracted["samples"] > 0, fused, done.stdout)
+                self.assertEqual(done.returncode, 1 if fused else 0)
+
     def test_groups_say_how_far_they_are_from_the_model(self):
         done, result = robust()
         (group,) = result["groups"]

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -39,11 +40,21 @@ std::string Demangled(const std::string& symbol) {
 std::vector<std::string> ApartFlags(const Choices& choices) {
   std::vector<std::string> flags{"-S", "-fno-inline", "-ffunction-sections"};
   if (!ToolchainOf(choices).is_gcc) return flags;
-  for (const char* flag : {"-fno-ipa-ra", "-fno-ipa-cp", "-fno-ipa-sra", "-fno-ipa-icf",
-                           "-fno-partial-inlining", "-fno-toplevel-reorder"}) {
+  for (const char* flag :
+       {"-fno-ipa-ra", "-fno-ipa-cp", "-fno-ipa-sra", "-fno-ipa-icf", "-fno-partial-inlining",
+        "-fno-toplevel-reorder", "-fno-section-anchors"}) {
     flags.emplace_back(flag);
   }
   return flags;
+}
+
+// clang passes arguments of local functions in its own way, which need not be the same twice, unless
+// something out of its sight may call them, too. In C: the headers of C++ have too many functions.
+std::string WithFunctionsKept(const std::string& source) {
+  return fmt::format(
+      "#pragma clang attribute push(__attribute__((annotate(\"kept\"))), apply_to = function)\n"
+      "#include \"{}\"\n#pragma clang attribute pop\n",
+      std::filesystem::absolute(source).string());
 }
 
 // A file's functions, compiled one way, as an object.
@@ -57,13 +68,17 @@ class Exchange {
  public:
   Exchange(SweepRunner& runner, const Choices& choices, const std::vector<std::size_t>& cases)
       : runner_(runner), cases_(cases) {
-    for (const Choice& c : choices) (c.kind == Kind::kLinkFlag ? link_ : compile_).push_back(c);
+    for (const Choice& c : choices) {
+      if (c.kind == Kind::kTarget) target_.push_back(c);
+      if (c.kind != Kind::kLinkFlag) compile_.push_back(c);
+      if (c.kind == Kind::kTarget || c.kind == Kind::kLinkFlag) link_.push_back(c);
+    }
   }
 
   SweepBlame Find() {
     const std::vector<std::string>& sources = runner_.settings().sources;
     std::vector<std::string> base;
-    for (const std::string& source : sources) base.push_back(runner_.Compile(source, {}));
+    for (const std::string& source : sources) base.push_back(runner_.Compile(source, target_));
     if (Differs(base)) {
       return {"", "",
               "the flags of the link alone change it, whatever the files are compiled with"};
@@ -79,18 +94,28 @@ class Exchange {
  private:
   bool Differs(const std::vector<std::string>& objects) {
     const std::string program = runner_.Link(objects, link_);
-    const bool differs = runner_.Compare(program, {}, cases_).Differs();
+    const bool differs = runner_.Compare(program, target_, cases_).Differs();
     std::filesystem::remove(program);
     return differs;
   }
 
   Half Apart(const std::string& source, const Choices& choices, bool with_locals) {
-    const std::string path = runner_.Compile(source, choices, ApartFlags(choices));
+    const Toolchain tools = ToolchainOf(choices);
+    std::string compiled = source;
+    if (with_locals && !tools.is_gcc) {
+      compiled = runner_.folder().NewPath(".c");
+      io::WriteFile(compiled, WithFunctionsKept(source));
+    }
+    const std::string path = runner_.Compile(compiled, choices, ApartFlags(choices));
     const ExchangeableAssembly assembly = MakeExchangeable(io::ReadFile(path), with_locals);
     io::WriteFile(path, assembly.text);
     Half half{runner_.folder().NewPath(".o"), {}, {}};
-    runner_.Run({ToolchainOf(choices).c, "-c", path, "-o", half.object});
-    std::vector<std::string> command{"objcopy"};
+    std::vector<std::string> assemble{tools.c, "-c", path, "-o", half.object};
+    if (!tools.is_base_target) {
+      assemble.insert(assemble.end(), tools.flags.begin(), tools.flags.end());
+    }
+    runner_.Run(assemble);
+    std::vector<std::string> command{Objcopy()};
     const std::set<std::string> locals(assembly.was_local.begin(), assembly.was_local.end());
     const auto renamed = [&](const std::string& name) {
       return locals.contains(name) ? fmt::format("{}{}", name, kWasLocal) : name;
@@ -112,12 +137,12 @@ class Exchange {
                                      const std::string& function) {
     const std::string ours = runner_.folder().NewPath(".o");
     const std::string theirs = runner_.folder().NewPath(".o");
-    runner_.Run({"objcopy", "--weaken-symbol", function, base.object, ours});
+    runner_.Run({Objcopy(), "--weaken-symbol", function, base.object, ours});
     std::string names;
     for (const std::string& symbol : other.symbols) {
       if (symbol != function) names += symbol + "\n";
     }
-    std::vector<std::string> command{"objcopy"};
+    std::vector<std::string> command{Objcopy()};
     if (!names.empty()) {  // an empty list is an error of objcopy's
       const std::string list = runner_.folder().NewPath(".txt");
       io::WriteFile(list, names);
@@ -133,10 +158,9 @@ class Exchange {
     const auto untold = [&](std::string_view why) {
       return SweepBlame{source, "", fmt::format("in {}, {}: not told apart", source, why)};
     };
-    // clang passes arguments of local functions in its own way, which need not be the same twice.
-    const bool with_locals = ToolchainOf(compile_).is_gcc;
+    const bool with_locals = ToolchainOf(compile_).is_gcc || source.ends_with(".c");
     try {
-      const Half base = Apart(source, {}, with_locals);
+      const Half base = Apart(source, target_, with_locals);
       const Half other = Apart(source, compile_, with_locals);
       objects[k] = base.object;
       if (Differs(objects)) return untold("the base draws otherwise without inlining");
@@ -166,8 +190,11 @@ class Exchange {
     }
   }
 
+  std::string Objcopy() const { return ToolchainOf(target_).objcopy; }
+
   SweepRunner& runner_;
   const std::vector<std::size_t>& cases_;
+  Choices target_;  ///< in both builds
   Choices compile_;
   Choices link_;
 };
@@ -207,7 +234,7 @@ ExchangeableAssembly MakeExchangeable(std::string_view assembly, bool with_local
   std::vector<std::pair<std::string, bool>> symbols;  // and whether it is a function
   std::istringstream lines{std::string(assembly)};
   for (std::string line; std::getline(lines, line);) {
-    for (const char* directive : {".globl", ".weak"}) {
+    for (const char* directive : {".globl", ".global", ".weak"}) {
       const std::string_view name = After(line, directive);
       if (!name.empty()) globals.emplace(name);
     }
@@ -247,12 +274,14 @@ ExchangeableAssembly MakeExchangeable(std::string_view assembly, bool with_local
 
 SweepBlame Blame(SweepRunner& runner, const Choices& choices,
                  const std::vector<std::size_t>& cases) {
+  Choices target;
+  std::ranges::copy_if(choices, std::back_inserter(target),
+                       [](const Choice& c) { return c.kind == Kind::kTarget; });
+  if (!target.empty() && runner.OutcomeOf(target).Differs()) {
+    return {"", "",
+            "objects of two processors can't be linked together: file and function not told apart"};
+  }
   for (const Choice& c : choices) {
-    if (c.kind == Kind::kTarget) {
-      return {"", "",
-              "objects of two processors can't be linked together: file and function not "
-              "told apart"};
-    }
     if (c.kind == Kind::kFlag && c.value == "-flto") {
       return {"", "", "the files are optimized as one at the link: not told apart"};
     }

@@ -269,6 +269,7 @@ Toolchain ToolchainOf(const Choices& choices) {
       tools.flags = {"--target=aarch64-linux-gnu"};
     }
     tools.emulator = {"qemu-aarch64", "-L", "/usr/aarch64-linux-gnu"};
+    tools.objcopy = "aarch64-linux-gnu-objcopy";
   }
   return tools;
 }

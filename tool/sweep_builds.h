@@ -56,6 +56,7 @@ struct Toolchain {
   std::vector<std::string> emulator;  ///< before the program's name; empty: it runs as it is
   bool is_gcc = true;
   bool is_base_target = true;
+  std::string objcopy = "objcopy";  ///< for objects of the target
 };
 Toolchain ToolchainOf(const Choices& choices);
 

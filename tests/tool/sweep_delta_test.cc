@@ -66,11 +66,12 @@ TEST(MakeExchangeable, MakesSymbolsGlobalAndTakesThemOutOfGroups) {
       "\t.section\t.text._Zf,\"axG\",@progbits,_Zf,comdat\n"
       "\t.weak\t_Zf  # -- Begin\n\t.type\t_Zf, @function\n_Zf:\n"
       "\t.weak\t_Zalias\n\t.set\t_Zalias,_Zf\n"
+      "\t.global\tour\n\t.type\tour, %function\nour:\n"  // as for aarch64
       "\t.type\t.Llabel, @object\n"
       "\t.type\tinner, @function\ninner:\n"
       "\t.local\tzeros\n\t.comm\tzeros,4,4\n\t.type\tzeros, @object\n",
       /*with_local_functions=*/true);
-  EXPECT_EQ(made.functions, (std::vector<std::string>{"_Zf", "inner"}));
+  EXPECT_EQ(made.functions, (std::vector<std::string>{"_Zf", "our", "inner"}));
   EXPECT_EQ(made.objects, std::vector<std::string>{"_Zalias"});
   EXPECT_EQ(made.was_local, (std::vector<std::string>{"inner", "zeros"}));
   EXPECT_NE(made.text.find("\t.section\t.text._Zf,\"ax\",@progbits\n"), std::string::npos);

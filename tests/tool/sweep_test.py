@@ -78,6 +78,10 @@ class Sweep(unittest.TestCase):
             blamed = flags_of(result)["-march=x86-64-v3 -ffp-contract=fast"]
             self.assertTrue(blamed["file"].endswith("edge.c"), blamed)
             self.assertEqual((blamed["function"], blamed["remark"]), ("cross", ""))
+        for flags, blamed in flags_of(result).items():
+            self.assertIn("-ffp-contract", flags)
+            self.assertTrue(blamed["file"].endswith("edge.c"), blamed)
+            self.assertEqual((blamed["function"], blamed["remark"]), ("cross", ""), flags)
         for row in result["builds"]:
             if row["changes"] == "target aarch64 -O2 -ffp-contract=fast" and row["drawn"]:
                 self.assertTrue(row["note"].startswith("emulated"), row)

@@ -29,9 +29,9 @@ constexpr Stages Walking(int (*facing)(const Corners3&, const RasterOptions&)) {
   return {&PlaceAsGiven, &BoxOfCorners, facing, &FillByWalk<Walk>};
 }
 
-template <template <class> class WalkOf, class Form>
+template <class Walk>
 constexpr SweptMethod Real(rasterproof_input input) {
-  return {Walking<WalkOf<Form>>(&FacingBy<Form>), "real", input};
+  return {Walking<Walk>(&FacingBy<typename Walk::Form>), "real", input};
 }
 
 // Inside the integers' proven domain, which the profile's limit is: no spans beyond it.
@@ -58,23 +58,23 @@ constexpr SweptMethod Snapped(const char* profile) {
 // Templates, so that a method which is not asked for needs no source.
 template <int = 0>
 SweptMethod F32Direct() {
-  return Real<FreshWalk, DirectForm<float>>(RASTERPROOF_FLOAT32);
+  return Real<FreshWalk<DirectForm<float>>>(RASTERPROOF_FLOAT32);
 }
 template <int = 0>
 SweptMethod F32Kahan() {
-  return Real<FreshWalk, KahanForm<float>>(RASTERPROOF_FLOAT32);
+  return Real<FreshWalk<KahanForm<float>>>(RASTERPROOF_FLOAT32);
 }
 template <int = 0>
 SweptMethod F32Affine() {
-  return Real<FreshWalk, AffineForm<float>>(RASTERPROOF_FLOAT32);
+  return Real<FreshWalk<AffineForm<float>>>(RASTERPROOF_FLOAT32);
 }
 template <int = 0>
 SweptMethod F32Incremental() {
-  return Real<CornerWalk, DirectForm<float>>(RASTERPROOF_FLOAT32);
+  return Real<CornerWalk<DirectForm<float>>>(RASTERPROOF_FLOAT32);
 }
 template <int = 0>
 SweptMethod F64Direct() {
-  return Real<FreshWalk, DirectForm<double>>(RASTERPROOF_FLOAT64);
+  return Real<FreshWalk<DirectForm<double>>>(RASTERPROOF_FLOAT64);
 }
 template <int = 0>
 SweptMethod I32Snap4() {

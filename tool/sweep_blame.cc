@@ -48,8 +48,9 @@ std::vector<std::string> ApartFlags(const Choices& choices) {
   return flags;
 }
 
-// clang passes arguments of local functions in its own way, which need not be the same twice, unless
-// something out of its sight may call them, too. In C: the headers of C++ have too many functions.
+// clang passes arguments of local functions in its own way, which need not be the same twice,
+// unless something out of its sight may call them, too. For C: the headers of C++ have too many
+// functions.
 std::string WithFunctionsKept(const std::string& source) {
   return fmt::format(
       "#pragma clang attribute push(__attribute__((annotate(\"kept\"))), apply_to = function)\n"

@@ -18,8 +18,8 @@ struct SweepBlame {
   std::string remark;    ///< why not more is known; empty if all is
 };
 
-/// Links parts of the build into the base, or into the base for the build's target: each file alone,
-/// then each function of that file alone, compiled with -fno-inline.
+/// Links parts of the build into the base, or into the base for the build's target: each file
+/// alone, then each function of that file alone, compiled with -fno-inline.
 ///
 /// Domain:     a build that draws one of these cases otherwise than the base.
 SweepBlame Blame(SweepRunner& runner, const Choices& choices,

@@ -112,6 +112,15 @@ class Sweep(unittest.TestCase):
         self.assertIn("\nA: base, ", done.stdout)
         self.assertNotIn("\nB:", done.stdout)
 
+    def test_what_the_target_alone_changes_is_not_told_apart(self):
+        _, result = sweep("signed_char.c", cases=20, more=[
+            "--build", "aarch64 -O2 -ffp-contract=off"])  # fmt: skip
+        (_, other) = result["builds"]
+        if other["drawn"]:
+            (blamed,) = flags_of(result).values()
+            self.assertEqual((blamed["file"], blamed["function"]), ("", ""))
+            self.assertIn("objects of two processors can't be linked", blamed["remark"])
+
     def test_our_own_methods_are_swept_as_the_page_of_stiff_cases_says(self):
         sources = ("methods.cc", *(f"../../../reference/{name}.cc" for name in ("box", "bands")))
         for method, fused in ("F32Direct", True), ("I64Snap8", False):

@@ -11,6 +11,8 @@
 #include <string_view>
 
 #include "core/call_end.h"
+#include "core/sample_pattern.h"
+#include "core/subject_info.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "props/domains/domain.h"
@@ -117,6 +119,21 @@ TEST(Catalogue, ASubjectOfWindowSpaceIsExcusedFromClipSpaceWithTheReason) {
 }
 
 // Of 100 cases of this family a seed may draw one whose vertices are all finite.
+TEST(Catalogue, AFamilyOfWhatTheProfileDoesNotStateIsExcusedForThatAndElseDrawn) {
+  FakeSubject one = testing::Sound(SnappedInfo(8));
+  const FamilyCell excused = Measured(one, "pattern-lines").By(Yardstick::kOwnModel);
+  EXPECT_EQ(excused.cases, 0U);
+  EXPECT_EQ(excused.why, "the profile states nothing that the family is about");
+  SubjectInfo info = SnappedInfo(8);
+  info.profile.pattern = *StandardPattern(4);
+  FakeSubject four = testing::Sound(info);
+  const FamilyCell drawn = Measured(four, "pattern-lines").By(Yardstick::kOwnModel);
+  EXPECT_EQ(drawn.cases, 40U) << drawn.why;
+  EXPECT_EQ(drawn.wrong, 0U);
+  FakeSubject inclusive = testing::Inclusive(info);
+  EXPECT_TRUE(Measured(inclusive, "pattern-lines").By(Yardstick::kOwnModel).Fails());
+}
+
 TEST(Catalogue, AFamilyOfWhichHardlyAnyCaseIsJudgedIsExcusedUnlessThatFails) {
   FakeSubject sound = testing::Sound(SnappedInfo(8));
   FakeSubject wrong(SnappedInfo(8), [](const Scene&, const DrawOptions&, CoverageCounts& counts) {

@@ -39,37 +39,17 @@ std::array<Point2, 3> PlacesOf(const Scene& scene, const Triangle& t) {
   return {WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
 }
 
-// Samples of the target strictly between the ends of ab and exactly on it.
-int SamplesOn(const Case& c, Point2 a, Point2 b) {
-  int on = 0;
-  for (int place = 0; place < c.scene.width * c.scene.height; ++place) {
-    const Point2 p = c.profile.pattern.At(place % c.scene.width, place / c.scene.width);
-    const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
-    const double from_b = (p.x - b.x) * (a.x - b.x) + (p.y - b.y) * (a.y - b.y);
-    on += along > 0 && from_b > 0 && exact::EdgeSign(a, b, p) == 0 ? 1 : 0;
-  }
-  return on;
-}
-
-// The places of a pattern that lie exactly on ab, in whichever pixels, and the samples there.
+// Samples strictly between the ends of ab and exactly on it, and their places in the pattern.
 struct OnLine {
   std::set<int> places;
   int samples = 0;
 };
 
-OnLine SamplesOnCommonEdge(const Case& c) {
-  const Scene& scene = c.scene;
+OnLine SamplesOn(const Case& c, Point2 a, Point2 b) {
   OnLine on;
-  // The two places that both triangles have; their vertices may be repeated.
-  std::vector<Point2> common;
-  for (const Point2 p : PlacesOf(scene, scene.triangles[0])) {
-    if (std::ranges::count(PlacesOf(scene, scene.triangles[1]), p) != 0) common.push_back(p);
-  }
-  if (common.size() != 2) return on;
-  const auto [a, b] = std::pair{common[0], common[1]};
-  for (int pixel = 0; pixel < scene.width * scene.height; ++pixel) {
+  for (int pixel = 0; pixel < c.scene.width * c.scene.height; ++pixel) {
     for (int s = 0; s < c.profile.pattern.samples(); ++s) {
-      const Point2 p = c.profile.pattern.At(pixel % scene.width, pixel / scene.width, s);
+      const Point2 p = c.profile.pattern.At(pixel % c.scene.width, pixel / c.scene.width, s);
       const double along = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
       const double from_b = (p.x - b.x) * (a.x - b.x) + (p.y - b.y) * (a.y - b.y);
       if (along <= 0 || from_b <= 0 || exact::EdgeSign(a, b, p) != 0) continue;
@@ -78,6 +58,15 @@ OnLine SamplesOnCommonEdge(const Case& c) {
     }
   }
   return on;
+}
+
+// Of the two places that both triangles have; their vertices may be repeated.
+OnLine SamplesOnCommonEdge(const Case& c) {
+  std::vector<Point2> common;
+  for (const Point2 p : PlacesOf(c.scene, c.scene.triangles[0])) {
+    if (std::ranges::count(PlacesOf(c.scene, c.scene.triangles[1]), p) != 0) common.push_back(p);
+  }
+  return common.size() == 2 ? SamplesOn(c, common[0], common[1]) : OnLine{};
 }
 
 TEST(PatternLines, PassSeveralPlacesOfThePatternInOneEdgeThatTwoTrianglesShare) {
@@ -118,7 +107,7 @@ TEST(TiltedGrids, HaveSharedEdgesThroughSamplesThatAreNeitherLevelNorDiagonal) {
           if (++uses[std::minmax({t[k], t[next]})] != 2) continue;
           if (std::fabs(v[next].x - v[k].x) == std::fabs(v[next].y - v[k].y)) continue;
           if (v[next].x == v[k].x || v[next].y == v[k].y) continue;
-          has_hit = has_hit || SamplesOn(c, v[k], v[next]) > 0;
+          has_hit = has_hit || SamplesOn(c, v[k], v[next]).samples > 0;
         }
       }
       cases += has_hit ? 1 : 0;

@@ -77,11 +77,6 @@ SweptMethod F64Direct() {
   return Real<FreshWalk<DirectForm<double>>>(RASTERPROOF_FLOAT64);
 }
 template <int = 0>
-SweptMethod I32Snap4() {
-  return Snapped<IntegerForm<std::int32_t, 4>>(
-      R"({"name": "swept", "subpixel_bits": 4, "coordinate_limit": 1440})");
-}
-template <int = 0>
 SweptMethod I64Snap8() {
   return Snapped<IntegerForm<std::int64_t, 8>>(
       R"({"name": "swept", "subpixel_bits": 8, "coordinate_limit": 4194304})");

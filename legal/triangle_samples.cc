@@ -268,9 +268,7 @@ FamilyView::FamilyView(const Scene& scene, const TargetProfile& profile, const F
       family_(family),
       frame_(scene, profile, {}),
       choices_(ChoicesOf(scene, profile_, family)),
-      has_rule_(!profile_.shares_edge_samples &&
-                (profile_.freedom.ties == TieOwnership::kStated ||
-                 profile_.freedom.ties == TieOwnership::kAxisAligned)) {}
+      has_rule_(HasOneTieRule(profile_)) {}
 
 // The given vertex, or for clip space its quotient, rounded.
 Point2 FamilyView::OnScreen(const Vertex& v) const {

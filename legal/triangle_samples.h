@@ -14,6 +14,7 @@
 #include "core/vertex.h"
 #include "exact/sample_frame.h"
 #include "legal/choices.h"
+#include "legal/owners.h"
 #include "model/target_profile.h"
 
 namespace rasterproof::legal {
@@ -76,9 +77,7 @@ class FamilyView {
     return choices_.position[VertexOf(triangle, corner)];
   }
   /// Whether each sample on a common edge has one owner, chosen sample by sample.
-  bool OwnsByEdge() const {
-    return !profile_.shares_edge_samples && profile_.freedom.ties == TieOwnership::kPerEdge;
-  }
+  bool OwnsByEdge() const { return OwnersOfTies(profile_) == TieOwnership::kPerEdge; }
   std::size_t triangles() const { return scene_.triangles.size(); }
   int samples_per_pixel() const { return static_cast<int>(frame_.offsets.size()); }
   Point2 At(int x, int row, std::size_t s) const { return frame_.At(x, row, s); }

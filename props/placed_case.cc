@@ -38,6 +38,8 @@ PlacedCase PlacedCase::Only(const std::vector<std::size_t>& triangles) const {
 PlacedCase PlacedCase::Under(const Freedom& freedom) const {
   PlacedCase c = *this;
   c.profile.freedom = c.stated.freedom = freedom;
+  if (freedom.IsNone())  // one model has one front
+    c.profile.front_face = c.stated.front_face = FrontFace::kPositiveArea;
   return c;
 }
 

@@ -11,6 +11,7 @@
 #include "exact/edge.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "legal/owners.h"
 #include "model/target_profile.h"
 #include "props/authority.h"
 #include "props/properties/clause_lists.h"
@@ -76,7 +77,7 @@ bool LeaveOut(BrokenRule rule, const Scene& scene, Profile& profile, legal::Obse
       profile.nan_z = NanZ::kUnspecified;
       return HasInfiniteVertexOrNan(scene);
     case BrokenRule::kEdgeOwner:
-      if (profile.shares_edge_samples || profile.freedom.ties == TieOwnership::kOpen) return false;
+      if (legal::OwnersOfTies(profile) == TieOwnership::kOpen) return false;
       profile.freedom.ties = TieOwnership::kOpen;
       return true;
     case BrokenRule::kPlacedSample:

@@ -4,23 +4,15 @@
 
 #include "core/profile.h"
 #include "core/verdict.h"
-#include "exact/coverage.h"
-#include "exact/primitive_ids.h"
 #include "fmt/format.h"
-#include "legal/decided.h"
-#include "legal/joint.h"
+#include "legal/allowed.h"
 #include "props/judging/gate.h"
-#include "props/judging/redraw.h"
 #include "props/property.h"
 #include "props/run/description.h"
 #include "tool/resolve.h"
 
 namespace rasterproof::tool {
 namespace {
-
-bool ShowsIds(CoverageKind kind) {
-  return kind == CoverageKind::kPrimitiveIds || kind == CoverageKind::kFragments;
-}
 
 const char* PropertyFor(const props::PlacedCase& c) {
   if (!c.profile.freedom.IsNone()) return "OneLegalModelExplainsTheMesh";
@@ -55,57 +47,20 @@ Drawing Changed(Drawing drawing, const std::vector<ChangedSample>& changes, std:
 
 }  // namespace
 
-ModelOfCase::ModelOfCase(const SubjectInfo& info, const Case& given)
-    : kind_(info.coverage), visible_(info.fragments.visible) {
+ModelOfCase::ModelOfCase(const SubjectInfo& info, const Case& given) {
   Case whole = given;
   whole.options = {};
   const props::PlacedCase c = props::Place(whole, true);
   why_not_ = WhyNotJudged(info, whole, c);
   if (!why_not_.empty()) return;
-  const bool has_free_triangles = props::Place(whole, false).numbers.has_value();
-  const bool is_free = has_free_triangles || !c.profile.freedom.IsNone();
-  if (is_free) why_not_ = legal::WhyNotJoint(c.scene, c.profile).value_or("");
-  if (why_not_.empty()) FindCounts(c, is_free);
-}
-
-void ModelOfCase::FindCounts(const props::PlacedCase& c, bool is_free) {
-  if (is_free) {
-    numbers_ = legal::DecidedSamples(c.scene, c.profile).counts;
-    return;
-  }
-  least_ = most_ = exact::Coverage(c, c.options);
-  const bool shares_ties = c.profile.shares_edge_samples && c.profile.tie_rule.IsConsistent();
-  if (shares_ties) most_ = props::CoverageUnder(c, {.inclusive = true}, c.options);
-  if (!shares_ties && ShowsIds(kind_)) ids_ = exact::PrimitiveIds(c, c.options, visible_);
-}
-
-bool ModelOfCase::IsLegal(const CoverageCounts& drawn, std::size_t k) const {
-  const bool counts = kind_ == CoverageKind::kFacingCounts || kind_ == CoverageKind::kCounts;
-  if (!numbers_.empty()) {
-    constexpr std::uint64_t kNone = 1;
-    if (!counts && drawn.Count(k) != 0) return (numbers_[k] & ~kNone) != 0;
-    const std::uint32_t most = legal::kMostCounted;
-    return (numbers_[k] >> std::min(drawn.Count(k), most) & 1U) != 0;
-  }
-  const auto is_between = [](auto low, auto value, auto high) {
-    return low <= value && value <= high;
-  };
-  if (kind_ == CoverageKind::kFacingCounts) {
-    return is_between(least_.front[k], drawn.front[k], most_.front[k]) &&
-           is_between(least_.back[k], drawn.back[k], most_.back[k]);
-  }
-  if (counts) return is_between(least_.Count(k), drawn.Count(k), most_.Count(k));
-  return drawn.Count(k) == 0 ? least_.Count(k) == 0 : most_.Count(k) != 0;
+  legal::Sight sight{.coverage = info.coverage};
+  if (ShowsPrimitiveIds(info)) sight.ids = info.fragments.visible;
+  allowed_.emplace(c, sight);
+  why_not_ = allowed_->why_not();
 }
 
 std::uint64_t ModelOfCase::Away(const Drawing& drawn) const {
-  std::uint64_t away = 0;
-  for (std::size_t k = 0; k < drawn.counts.size(); ++k) {
-    const bool is_right =
-        ids_.empty() ? IsLegal(drawn.counts, k) : drawn.primitive_ids[k] == ids_[k];
-    if (!is_right) ++away;
-  }
-  return away;
+  return allowed_->Wrong(drawn).size();
 }
 
 void AddDistance(const SweepRunner& runner, std::size_t number, const ModelOfCase& model,

@@ -9,19 +9,16 @@
 #include <vector>
 
 #include "core/case.h"
-#include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/subject_info.h"
+#include "legal/allowed.h"
 #include "props/placed_case.h"
 #include "tool/sweep_runner.h"
 
 namespace rasterproof::tool {
 
-/// What a profile lets one call with all of a case show, sample by sample.
-///
-/// Where one model is legal, that is its exact coverage, of which shared ties may be counted again;
-/// where many are, or triangles of zero area may cover anything, any legal model's count of that
-/// sample. It convicts less than `check`, which asks one model to explain all samples.
+/// What a profile lets one call with all of a case show, sample by sample (legal/allowed.h). It
+/// convicts less than `check`, which asks one model to explain all samples.
 class ModelOfCase {
  public:
   /// Culling and scissor are off, as they are when builds are swept.
@@ -35,16 +32,8 @@ class ModelOfCase {
   std::uint64_t Away(const Drawing& drawn) const;
 
  private:
-  void FindCounts(const props::PlacedCase& c, bool is_free);
-  bool IsLegal(const CoverageCounts& drawn, std::size_t k) const;
-
-  CoverageKind kind_;
-  Visible visible_;
   std::string why_not_;
-  CoverageCounts least_;
-  CoverageCounts most_;
-  std::vector<std::int32_t> ids_;       ///< empty: which triangle is visible is not judged
-  std::vector<std::uint64_t> numbers_;  ///< as legal::Decided::counts; empty: least_ to most_
+  std::optional<legal::Allowed> allowed_;
 };
 
 struct DistanceFromModel {

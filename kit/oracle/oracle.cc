@@ -21,6 +21,7 @@
 #include "core/own_precision.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/subject_info.h"
 #include "core/target_size.h"
 #include "exact/attributes.h"
 #include "exact/coverage.h"
@@ -29,6 +30,7 @@
 #include "io/case_file.h"
 #include "io/scene_json.h"
 #include "kit/rasterproof_oracle.h"
+#include "legal/allowed.h"
 #include "legal/alone.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
@@ -202,36 +204,28 @@ std::string WhyNotLegal(const legal::JointVerdict& verdict, const Scene& scene,
          CountText(first.legal_least, first.legal_most) + " times";
 }
 
-// Judges a profile with one model where legal::JudgeJointly() is not for the scene: clip space, a
-// transform of its own. What is stated of one triangle does not depend on another.
-std::int32_t JudgeByModel(const Scene& scene, const Profile& profile, const CoverageCounts& drawn,
-                          bool is_mask) {
-  std::vector<std::uint32_t> least(drawn.size());
-  std::vector<std::uint32_t> most(drawn.size());
-  for (const legal::TriangleDecided& triangle : legal::DecideAlone(scene, profile)) {
-    for (const std::size_t s : triangle.must) ++least[s];
-    for (const std::size_t s : triangle.must) ++most[s];
-    for (const std::size_t s : triangle.may) ++most[s];
-    if (triangle.is_anything) std::ranges::for_each(most, [](std::uint32_t& n) { ++n; });
-  }
-  const auto shown = [&](std::uint32_t n) { return is_mask ? std::min(n, 1U) : n; };
-  for (std::size_t s = 0; s < drawn.size(); ++s) {
-    const std::uint32_t count = drawn.Count(s);
-    if (shown(least[s]) <= shown(count) && shown(count) <= shown(most[s])) continue;
-    SetMessage(PlaceText(s, scene, static_cast<std::size_t>(drawn.samples)) + ": covered " +
-               std::to_string(count) + " times; the model covers it " +
-               CountText(least[s], most[s]) + " times");
-    return RASTERPROOF_ORACLE_NOT_LEGAL;
-  }
-  return RASTERPROOF_ORACLE_LEGAL;
+// Judges a profile that names every vertex's place, where legal::JudgeJointly() is not for the
+// scene: clip space, a transform of its own.
+std::int32_t JudgeByPlaces(const Scene& scene, const legal::Allowed& allowed,
+                           const CoverageCounts& drawn) {
+  const std::vector<std::size_t> wrong = allowed.Wrong(drawn);
+  if (wrong.empty()) return RASTERPROOF_ORACLE_LEGAL;
+  const std::size_t s = wrong.front();
+  SetMessage(PlaceText(s, scene, static_cast<std::size_t>(drawn.samples)) + ": covered " +
+             std::to_string(drawn.Count(s)) + " times; the model covers it " + allowed.WordsAt(s) +
+             " times");
+  return RASTERPROOF_ORACLE_NOT_LEGAL;
 }
 
 std::int32_t Judge(const Scene& scene, const Profile& profile, const CoverageCounts& drawn,
                    bool is_mask) {
   const TargetProfile target(profile, scene);
   const bool is_searched = !legal::WhyNotJoint(scene, target);
-  if (!is_searched && HasOneModel(profile) && !legal::WhyNotAlone(scene, profile))
-    return JudgeByModel(scene, profile, drawn, is_mask);
+  if (!is_searched && HasOneModel(profile) && !legal::WhyNotAlone(scene, profile)) {
+    const legal::Allowed allowed(exact::PlacedScene(scene, profile),
+                                 {is_mask ? CoverageKind::kMask : CoverageKind::kCounts});
+    return JudgeByPlaces(scene, allowed, drawn);
+  }
   RequireJoint(scene, profile);
   legal::Observed observed;
   observed.together = &drawn;

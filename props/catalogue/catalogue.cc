@@ -4,12 +4,14 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "core/coverage.h"
 #include "core/question.h"
 #include "exact/coverage.h"
 #include "exact/sample_frame.h"
+#include "legal/allowed.h"
 #include "model/segment_distance.h"
 #include "props/infer/observer.h"
 #include "props/judging/as_shown.h"
@@ -145,17 +147,24 @@ class Measuring {
     const PlacedCase real(unsnapped);
     Description without = subject;
     without.info.profile = unsnapped.profile;
-    const std::string why_not_own = WhyNotCompared(kOwn, subject, own);
+    std::string why_not_own = WhyNotCompared(kOwn, subject, own);
     const std::string why_not_real = WhyNotCompared(kReal, without, real);
+    Comparison comparison = ComparisonOf(own, description_.info, own.options);
+    std::optional<legal::Allowed> allowed;
+    if (why_not_own.empty()) {
+      allowed.emplace(own, comparison.sight, own.options);
+      why_not_own = allowed->why_not();
+    }
     if (!why_not_own.empty()) Excuse(By(Yardstick::kOwnModel), why_not_own);
     if (!why_not_real.empty()) Excuse(By(Yardstick::kRealGeometry), why_not_real);
     if (!why_not_own.empty() && !why_not_real.empty()) return;
-    const Answers answers = Draw(own);
+    const Answers answers = Draw(own, std::move(comparison.question));
     if (answers.end.stop != Stop::kNone) {
       return Ended(answers.end, given, why_not_own.empty(), why_not_real.empty());
     }
     const CoverageCounts& drawn = answers.draws.front()->counts;
-    if (why_not_own.empty()) CompareWithOwn(own, drawn, given);
+    if (why_not_own.empty())
+      Add(By(Yardstick::kOwnModel), own, allowed->Wrong(drawn), drawn, given);
     if (why_not_real.empty()) CompareWithReal(real, drawn, given);
   }
 
@@ -163,19 +172,12 @@ class Measuring {
                                     const PlacedCase& c) {
     if (const auto verdict = FlatnessNotDecided(c, false)) return verdict->message;
     if (const auto verdict = Refusal(gate, subject, c)) return verdict->message;
-    if (HasOneModel(c.stated)) return "";
-    if (c.stated.shares_edge_samples) return "the profile leaves open how often an edge is drawn";
-    if (c.stated.contract != Contract::kSampleExact) {
-      return "the profile's contract does not say what single triangles cover";
-    }
-    if (c.scene.clip_space) return "the profile leaves open where clip space lies";
-    return WhyNoLegalCounts(c.scene, c.profile).value_or("");
+    return "";
   }
 
-  Answers Draw(const PlacedCase& c) {
+  Answers Draw(const PlacedCase& c, DrawQuestion question) {
     Check check;
-    check.questions.draws = {HasOneModel(c.stated) ? CountsOf(c.scene, c.profile, c.options)
-                                                   : LegalCounts::QuestionOf(c.scene, c)};
+    check.questions.draws = {std::move(question)};
     const Request request{&c, &check, nullptr};
     return std::move(Submit(subject_, {&request, 1}).front());
   }
@@ -203,17 +205,7 @@ class Measuring {
     const SubjectInfo& info = description_.info;
     const bool counts =
         info.coverage == CoverageKind::kFacingCounts || info.coverage == CoverageKind::kCounts;
-    return counts || (HasOneModel(c.stated) && !IsJudgedAsShown(info, c.scene));
-  }
-
-  void CompareWithOwn(const PlacedCase& own, const CoverageCounts& drawn, const Case& given) {
-    FamilyCell& cell = By(Yardstick::kOwnModel);
-    if (HasOneModel(own.stated)) {
-      const CoverageCounts truth = exact::Coverage(own, own.options);
-      return Add(cell, own, WrongSamples(drawn, truth, ShowsCounts(own)), drawn, given);
-    }
-    const LegalCounts legal(own.scene, own);
-    Add(cell, own, legal.Wrong(drawn, ShowsCounts(own)), drawn, given);
+    return counts || (c.stated.freedom.IsNone() && !IsJudgedAsShown(info, c.scene));
   }
 
   // A snap can turn a triangle over: by facing, two drawings of real geometry are not comparable.

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <string>
 #include <utility>
 
 #include "core/tie_rule.h"
-#include "exact/coverage.h"
+#include "exact/placed_scene.h"
+#include "legal/allowed.h"
 #include "model/snap.h"
 
 namespace rasterproof::props {
@@ -48,12 +48,6 @@ std::vector<Snap> SnapsFor(const PatternCandidate& candidate) {
     }
   }
   return snaps;
-}
-
-// Whether no count of a is greater than that of b.
-bool IsAtMost(const CoverageCounts& a, const CoverageCounts& b) {
-  return std::ranges::equal(a.front, b.front, std::less_equal<>()) &&
-         std::ranges::equal(a.back, b.back, std::less_equal<>());
 }
 
 }  // namespace
@@ -97,23 +91,27 @@ Profile ModelSpace::ProfileOf(const Model& model) const {
   return profile;
 }
 
-CoverageCounts Prediction::Draw(const Scene& snapped, const Model& model, std::uint8_t rule) const {
+legal::Allowed Prediction::AllowedBy(const Scene& snapped, const Model& model,
+                                     std::uint8_t rule) const {
+  const Profile& stated = space_.stated();
   Profile profile;
   profile.pattern = space_.PatternOf(model);
   profile.y_axis = space_.y_axis();
   profile.culls = space_.culls();
   profile.tie_rule = RuleOf(rule);
-  profile.max_primitive_extent = space_.stated().max_primitive_extent;
-  CoverageCounts counts = exact::Coverage(snapped, profile);
-  if (facing_ == FacingReport::kNotTold) JoinFacings(counts);
-  return counts;
+  profile.max_primitive_extent = stated.max_primitive_extent;
+  profile.shares_edge_samples = stated.shares_edge_samples;
+  profile.degenerate_triangles = stated.degenerate_triangles;
+  const bool told = facing_ != FacingReport::kNotTold;
+  return legal::Allowed(exact::PlacedScene(snapped, profile),
+                        {told ? CoverageKind::kFacingCounts : CoverageKind::kCounts});
 }
 
-const CoverageCounts& Prediction::ByRule(Drawn& drawn, const Model& model,
+const legal::Allowed& Prediction::ByRule(Drawn& drawn, const Model& model,
                                          std::uint8_t rule) const {
-  if (!drawn.known[rule]) drawn.by_rule[rule] = Draw(drawn.snapped, model, rule);
-  drawn.known[rule] = true;
-  return drawn.by_rule[rule];
+  std::optional<legal::Allowed>& allowed = drawn.by_rule[rule];
+  if (!allowed) allowed = AllowedBy(drawn.snapped, model, rule);
+  return *allowed;
 }
 
 Prediction::Drawn& Prediction::On(const Model& model) {
@@ -129,42 +127,23 @@ Prediction::Drawn& Prediction::On(const Model& model) {
   Drawn& drawn = found->second;
   if (!is_new) return drawn;
   drawn.snapped = std::move(snapped);
-  const CoverageCounts& top_left = ByRule(drawn, model, 0);
+  const auto drawn_by = [&](std::uint8_t rule) -> const CoverageCounts& {
+    return ByRule(drawn, model, rule).Canonical();
+  };
   // Rule 3 is top-left's opposite: see ModelSearch.
-  drawn.has_ties =
-      top_left != ByRule(drawn, model, kInclusiveRule) || top_left != ByRule(drawn, model, 3);
-  drawn.is_flat = std::ranges::any_of(drawn.snapped.triangles, [&](const Triangle& t) {
-    const std::array<Vertex, 3> v = Corners(drawn.snapped, t);
-    return exact::Facing({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])}) == 0;
-  });
+  drawn.has_ties = drawn_by(0) != drawn_by(kInclusiveRule) || drawn_by(0) != drawn_by(3);
   return drawn;
 }
 
-const CoverageCounts& Prediction::Of(const Model& model) {
+const legal::Allowed& Prediction::Under(const Model& model) {
   Drawn& drawn = On(model);
   return ByRule(drawn, model, drawn.has_ties ? model.rule : std::uint8_t{0});
 }
 
-Prediction::Legal Prediction::LegalUnder(const Model& model) {
-  Drawn& drawn = On(model);
-  const Profile& stated = space_.stated();
-  const CoverageCounts& least = Of(model);
-  const bool edge_samples =
-      stated.shares_edge_samples && drawn.has_ties && model.rule < kInclusiveRule;
-  return {least, edge_samples ? ByRule(drawn, model, kInclusiveRule) : least,
-          drawn.is_flat && stated.degenerate_triangles == DegenerateTriangles::kUnspecified};
-}
-
 bool Prediction::Explains(const Model& model, const CoverageCounts& seen) {
-  const Legal legal = LegalUnder(model);
-  return legal.is_open || (IsAtMost(legal.least, seen) && IsAtMost(seen, legal.most));
+  return Under(model).AllowsAll(seen);
 }
 
-bool Prediction::Parts(const Model& a, const Model& b) {
-  const Legal by_a = LegalUnder(a);
-  const Legal by_b = LegalUnder(b);
-  if (by_a.is_open || by_b.is_open) return false;
-  return !IsAtMost(by_a.least, by_b.most) || !IsAtMost(by_b.least, by_a.most);
-}
+bool Prediction::Parts(const Model& a, const Model& b) { return Under(a).Apart(Under(b)) != 0; }
 
 }  // namespace rasterproof::props

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/snap.h"
+#include "legal/allowed.h"
 #include "props/infer/observer.h"
 
 namespace rasterproof::props {
@@ -72,7 +74,8 @@ class Prediction {
   Prediction(const Scene& scene, const ModelSpace& space, FacingReport facing)
       : scene_(scene), space_(space), facing_(facing) {}
 
-  const CoverageCounts& Of(const Model& model);
+  /// The model's own drawing, by facing if the subject tells them.
+  const CoverageCounts& Of(const Model& model) { return Under(model).Canonical(); }
   /// Whether the observed drawing is legal under the model and the stated profile's freedom about
   /// edge_samples and triangles of zero area.
   bool Explains(const Model& model, const CoverageCounts& seen);
@@ -87,23 +90,14 @@ class Prediction {
   };
   struct Drawn {
     Scene snapped;
-    std::array<CoverageCounts, kRuleCount> by_rule;
-    std::array<bool, kRuleCount> known{};
-    bool is_flat = false;  ///< some triangle has no area
+    std::array<std::optional<legal::Allowed>, kRuleCount> by_rule;
     bool has_ties = true;  ///< false: no sample lies on an edge, and all rules agree
   };
 
-  // Everything from `least` to `most`, and anything at all if it is open.
-  struct Legal {
-    const CoverageCounts& least;
-    const CoverageCounts& most;
-    bool is_open;
-  };
-
   Drawn& On(const Model& model);
-  const CoverageCounts& ByRule(Drawn& drawn, const Model& model, std::uint8_t rule) const;
-  Legal LegalUnder(const Model& model);
-  CoverageCounts Draw(const Scene& snapped, const Model& model, std::uint8_t rule) const;
+  const legal::Allowed& Under(const Model& model);
+  const legal::Allowed& ByRule(Drawn& drawn, const Model& model, std::uint8_t rule) const;
+  legal::Allowed AllowedBy(const Scene& snapped, const Model& model, std::uint8_t rule) const;
 
   const Scene& scene_;
   const ModelSpace& space_;

@@ -92,7 +92,7 @@ Verdict NotExercisedVerdict(std::string_view why) {
 
 bool LeavesAChoice(const Profile& profile, const Gate& gate) {
   return !profile.freedom.IsNone() ||
-         (profile.shares_edge_samples && !gate.judges_shared_edge_samples);
+         (!kCountsTies.holds(profile) && !gate.judges_shared_edge_samples);
 }
 
 std::optional<std::string> ContractDoesNotState(const Profile& profile, const Gate& gate) {

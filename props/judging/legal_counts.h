@@ -1,54 +1,41 @@
-// How often the legal models of a profile cover the samples of a scene.
+// Asking for a draw, and judging it by what the profile allows at each sample.
+//
+// What is allowed is legal::Allowed's to say (legal/allowed.h). To judge whether one legal model
+// explains all samples together, use OneLegalModelExplainsTheMesh.
 #ifndef RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
 #define RASTERPROOF_PROPS_JUDGING_LEGAL_COUNTS_H_
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "core/coverage.h"
+#include "core/draw_options.h"
 #include "core/question.h"
-#include "core/scene.h"
+#include "core/subject_info.h"
 #include "core/verdict.h"
-#include "model/target_profile.h"
+#include "legal/allowed.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
 
-/// Returns why the counts of legal models are not known, or nothing if they are.
-std::optional<std::string> WhyNoLegalCounts(const Scene& scene, const TargetProfile& profile);
-
-/// The coverage by facing if the profile has one model. Otherwise the counts that some legal model
-/// has at each sample; facings are ignored.
-class LegalCounts {
- public:
-  /// Makes the counts of another scene on the case's target and profile, culling and scissor off.
-  ///
-  /// Domain:     window space; no WhyNoLegalCounts.
-  LegalCounts(const Scene& scene, const PlacedCase& c);
-
-  /// The samples that no legal model of the one covers as some legal model of the other does.
-  std::uint64_t Apart(const LegalCounts& other) const;
-
-  /// Asks for the scene: by facing where one model is legal, else for what one call shows.
-  static DrawQuestion QuestionOf(const Scene& scene, const PlacedCase& c);
-  /// The samples that no legal model covers as they were drawn, in their order. By facing where one
-  /// model is legal.
-  std::vector<std::size_t> Wrong(const CoverageCounts& drawn, bool counts) const;
-  /// Violated if no legal model covers some sample as it was drawn. `counts`: whether the subject
-  /// counts; else 1 stands for any number but 0.
-  Verdict VerdictOn(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,
-                    const std::string& of) const;
-
- private:
-  Verdict JudgeBySample(const CoverageCounts& drawn, bool counts, std::uint64_t exercised,
-                        const std::string& of) const;
-
-  std::optional<CoverageCounts> only_;
-  std::vector<std::uint64_t> numbers_;  ///< as legal::Decided::counts
+/// How a subject is asked for a scene, and what its answer is compared with.
+struct Comparison {
+  DrawQuestion question;
+  legal::Sight sight;
 };
+
+/// Asks for the scene of the case: by facing where the profile names every vertex's place, else for
+/// what one call shows. A mesh that is judged as it is shown (as_shown.h) shows only whether a
+/// sample is covered.
+Comparison ComparisonOf(const PlacedCase& c, const SubjectInfo& info, const DrawOptions& options);
+
+/// Returns the verdict that every sample is allowed; `of` completes "coverage differs from the
+/// model's ...".
+///
+/// Domain:     `allowed.why_not()` is empty.
+Verdict AsAllowed(const legal::Allowed& allowed, const CoverageCounts& drawn,
+                  std::uint64_t exercised, const std::string& of = "");
 
 }  // namespace rasterproof::props
 

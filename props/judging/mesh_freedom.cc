@@ -4,9 +4,9 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "legal/owners.h"
 #include "model/snap_scene.h"
 #include "props/judging/mesh_model.h"
-#include "props/judging/redraw.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
@@ -19,17 +19,13 @@ bool LiesAroundTheEye(const Scene& scene) {
 
 }  // namespace
 
-bool SharesTies(const Profile& profile) {
-  return profile.shares_edge_samples || profile.tie_rule.inclusive;
-}
-
 SharedTies::SharedTies(const PlacedCase& c) {
-  if (!SharesTies(c.profile)) return;
+  if (!legal::SharesTies(c.profile)) return;
   if (LegalReach(c) != 0) {
     edges_ = Outline::OfAllEdges(c, LegalReach(c));
     return;
   }
-  most_ = CoverageUnder(c, {.inclusive = true}, WholeTarget(c));
+  allowed_.emplace(c, legal::Sight{.coverage = CoverageKind::kCounts}, WholeTarget(c));
 }
 
 OpenParts::OpenParts(const PlacedCase& c, bool spares_outline) {

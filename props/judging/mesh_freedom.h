@@ -8,8 +8,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
-#include "core/coverage.h"
+#include "legal/allowed.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/outline.h"
 #include "props/judging/thin_triangles.h"
@@ -17,13 +18,9 @@
 
 namespace rasterproof::props {
 
-/// Returns whether several triangles may cover a sample on an edge that they share: the profile
-/// says `edge_samples` may be shared, or its tie rule is inclusive.
-bool SharesTies(const Profile& profile);
-
-/// The samples that more than one triangle of a mesh may cover. There are none unless SharesTies().
-/// Otherwise they are the samples on the mesh's edges; if the profile leaves the places of vertices
-/// free, all samples near its edges.
+/// The samples that more than one triangle of a mesh may cover. There are none unless
+/// legal::SharesTies(). Otherwise they are the samples on the mesh's edges; if the profile leaves the
+/// places of vertices free, all samples near its edges.
 class SharedTies {
  public:
   explicit SharedTies(const PlacedCase& c);
@@ -33,11 +30,11 @@ class SharedTies {
   ///
   /// Shape:      `index` is that of the sample in counts of the case's target.
   bool Allow(std::uint32_t count, std::size_t index, Point2 at) const {
-    return most_.size() != 0 ? count <= most_.Count(index) : edges_.IsNear(at);
+    return allowed_ ? count <= allowed_->Most(index) : edges_.IsNear(at);
   }
 
  private:
-  CoverageCounts most_;
+  std::optional<legal::Allowed> allowed_;
   Outline edges_;
 };
 

@@ -64,10 +64,11 @@ std::optional<std::string> WhyNotMoved(const PlacedCase& c) {
           kMostSamples) {
     return "the case has no triangle, or is large";
   }
-  return WhyNoLegalCounts(c.scene, c.profile);
+  return std::nullopt;
 }
 
-MovedScenes::MovedScenes(const PlacedCase& c) : c_(c), expected_(c.scene, c) {}
+MovedScenes::MovedScenes(const PlacedCase& c, const legal::Sight& sight)
+    : c_(c), sight_(sight), expected_(c, sight, WholeTarget(c)) {}
 
 std::vector<MovedScene> MovedScenes::ByOneVertex() const {
   std::vector<MovedScene> scenes;
@@ -107,9 +108,10 @@ std::optional<MovedScene> MovedScenes::OtherContent() const {
 }
 
 std::optional<MovedScene> MovedScenes::IfItDiffers(Scene scene, const std::string& change) const {
-  if (!StatesItsCoverage(c_.With(scene))) return std::nullopt;
-  LegalCounts expected(scene, c_);
-  if (expected.Apart(expected_) == 0) return std::nullopt;
+  const PlacedCase moved = c_.With(scene);
+  if (!StatesItsCoverage(moved)) return std::nullopt;
+  legal::Allowed expected(moved, sight_, WholeTarget(c_));
+  if (!expected.why_not().empty() || expected.Apart(expected_) == 0) return std::nullopt;
   return MovedScene{std::move(scene), std::move(expected), change};
 }
 

@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "core/scene.h"
-#include "props/judging/legal_counts.h"
+#include "legal/allowed.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
 
 struct MovedScene {
   Scene scene;
-  LegalCounts expected;
+  legal::Allowed expected;
   std::string change;  ///< completes "drawn after the case, with ..."
 };
 
 /// Returns why no moved scenes are looked for, or nothing if they are: the case has no triangle, or
-/// moves cost more than they show, or nothing says what it covers.
+/// moves cost more than they show.
 std::optional<std::string> WhyNotMoved(const PlacedCase& c);
 
 /// A move counts if no legal model of the case covers some sample as some legal model of the moved
@@ -27,10 +27,10 @@ std::optional<std::string> WhyNotMoved(const PlacedCase& c);
 class MovedScenes {
  public:
   /// Domain:     no WhyNotMoved; the case outlives this.
-  explicit MovedScenes(const PlacedCase& c);
+  MovedScenes(const PlacedCase& c, const legal::Sight& sight);
 
-  /// What the case covers.
-  const LegalCounts& expected() const { return expected_; }
+  /// What the case covers, if expected().why_not() is empty.
+  const legal::Allowed& expected() const { return expected_; }
   /// For each of three distances, from small to large, the first move of one vertex of the first
   /// triangle that counts, if any does.
   std::vector<MovedScene> ByOneVertex() const;
@@ -42,7 +42,8 @@ class MovedScenes {
   std::optional<MovedScene> IfItDiffers(Scene scene, const std::string& change) const;
 
   const PlacedCase& c_;
-  LegalCounts expected_;
+  legal::Sight sight_;
+  legal::Allowed expected_;
 };
 
 }  // namespace rasterproof::props

@@ -10,6 +10,7 @@
 
 #include "core/scene.h"
 #include "exact/rational.h"
+#include "legal/owners.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
@@ -87,14 +88,14 @@ bool NeighbourPair::SharedEdgeIsNearest(Point2 p) const {
 
 bool NeighbourPair::MayShare(const SamplePlace& sample, std::size_t index,
                              std::uint32_t count) const {
-  return count > 1 && SharesTies(alone_.profile) && ties_.Allow(count, index, sample.at);
+  return count > 1 && legal::SharesTies(alone_.profile) && ties_.Allow(count, index, sample.at);
 }
 
 Verdict NeighbourPair::CoveredTimes(std::uint32_t count, const SamplePlace& sample,
                                     Verdict so_far) const {
   const std::string beside = " beside the edge that triangles " + std::to_string(pair_.first) +
                              " and " + std::to_string(pair_.second) + " share";
-  const bool at_least = count == 0 && SharesTies(alone_.profile);
+  const bool at_least = count == 0 && legal::SharesTies(alone_.profile);
   so_far.outcome = Outcome::kViolated;
   so_far.message = (count == 0 ? "a gap" : "an overlap") + beside;
   so_far.witness = WitnessAt(static_cast<int>(pair_.first), pair_.edge, sample,

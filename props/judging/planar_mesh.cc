@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "legal/owners.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/mesh_freedom.h"
 #include "props/judging/mesh_model.h"
@@ -63,7 +64,7 @@ class MeshJudge {
     }
     ++exercised_;
     if (is_right) return std::nullopt;
-    const bool at_least = count < least && SharesTies(mesh_.c.profile);
+    const bool at_least = count < least && legal::SharesTies(mesh_.c.profile);
     Witness witness = WitnessAt(-1, -1, place, "covered " + std::to_string(count) + " times",
                                 least == 0 ? "outside: never"
                                 : at_least ? "at least once"

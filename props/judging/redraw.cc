@@ -11,10 +11,11 @@
 #include "core/scene.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
+#include "legal/allowed.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
-#include "props/judging/as_shown.h"
 #include "props/judging/gate.h"
+#include "props/judging/legal_counts.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 
@@ -166,34 +167,14 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
   return verdict;
 }
 
-namespace {
-
-// What the profile's edge_samples leaves open is taken as it was drawn: on an edge, anything from
-// what the tie rule gives to every triangle that has it.
-void AcceptSharedEdgeSamples(const PlacedCase& c, bool as_shown, const CoverageCounts& observed,
-                             CoverageCounts& expected) {
-  CoverageCounts most = CoverageUnder(c, {.inclusive = true}, c.options);
-  if (as_shown) most = AsShown(std::move(most));
-  for (std::size_t k = 0; k < expected.size(); ++k) {
-    expected.front[k] = std::clamp(observed.front[k], expected.front[k], most.front[k]);
-    expected.back[k] = std::clamp(observed.back[k], expected.back[k], most.back[k]);
-  }
-}
-
-}  // namespace
-
 Checks CompareWithTheModel(const PlacedCase& c, const Description& subject) {
+  Comparison comparison = ComparisonOf(c, subject.info, c.options);
   Questions questions;
-  questions.draws.push_back(CountsOf(c.scene, c.profile, c.options));
-  const bool as_shown = IsJudgedAsShown(subject.info, c.scene);
-  return OneCheck(std::move(questions), [&c, as_shown](const Answers& answers) {
-    const CoverageCounts& observed = answers.draws[0]->counts;
-    CoverageCounts expected = exact::Coverage(c, c.options);
-    if (as_shown) expected = AsShown(std::move(expected));
-    if (c.profile.shares_edge_samples && c.profile.tie_rule.IsConsistent()) {
-      AcceptSharedEdgeSamples(c, as_shown, observed, expected);
-    }
-    return SameCounts(observed, expected, DecisionsOf(c), "the model's");
+  questions.draws.push_back(std::move(comparison.question));
+  return OneCheck(std::move(questions), [&c, sight = comparison.sight](const Answers& answers) {
+    const legal::Allowed allowed(c, sight, c.options);
+    if (!allowed.why_not().empty()) return Verdict::NotApplicable(allowed.why_not());
+    return AsAllowed(allowed, answers.draws[0]->counts, DecisionsOf(c));
   });
 }
 

@@ -12,8 +12,8 @@
 
 #include "core/profile.h"
 #include "core/scene.h"
-#include "exact/coverage.h"
 #include "exact/edge.h"
+#include "legal/allowed.h"
 #include "props/judging/mesh_neighbours.h"
 #include "props/judging/redraw.h"
 #include "props/judging/thin_triangles.h"
@@ -29,26 +29,6 @@ constexpr std::size_t kMaxTrianglesBlamed = 256;
 std::string CountText(const CoverageCounts& counts, std::size_t index) {
   return "front " + std::to_string(counts.front[index]) + ", back " +
          std::to_string(counts.back[index]);
-}
-
-// The counts that a triangle drawn alone may have.
-struct LegalCounts {
-  CoverageCounts least;
-  CoverageCounts most;
-
-  bool Allow(const CoverageCounts& counts, std::size_t k) const {
-    return counts.front[k] >= least.front[k] && counts.front[k] <= most.front[k] &&
-           counts.back[k] >= least.back[k] && counts.back[k] <= most.back[k];
-  }
-};
-
-LegalCounts LegalCountsOf(const PlacedCase& c, const DrawOptions& options) {
-  const bool any_owner = c.profile.freedom.ties != TieOwnership::kStated;
-  const bool draws_again = c.profile.shares_edge_samples || any_owner;
-  LegalCounts legal{
-      any_owner ? CoverageUnder(c, {.exclusive = true}, options) : exact::Coverage(c, options), {}};
-  legal.most = draws_again ? CoverageUnder(c, {.inclusive = true}, options) : legal.least;
-  return legal;
 }
 
 std::string EdgeValuesText(const std::array<Point2, 3>& v, Point2 p) {
@@ -137,7 +117,8 @@ Verdict BlameOne(const PlacedCase& c, std::size_t t, const DrawOptions& options,
                  const CoverageCounts& observed) {
   const PlacedCase alone = c.Only({t});
   const std::size_t index = observed.Index(witness.x, witness.y, witness.sample);
-  if (LegalCountsOf(alone, options).Allow(observed, index)) return Verdict::Held(1);
+  const legal::Allowed allowed(alone, {}, options);
+  if (!allowed.why_not().empty() || allowed.Allows(observed, index)) return Verdict::Held(1);
   witness.triangle = static_cast<int>(t);
   const std::array<Vertex, 3> v = Corners(alone.placed, alone.placed.triangles[0]);
   if (std::ranges::all_of(v, IsFinite)) {

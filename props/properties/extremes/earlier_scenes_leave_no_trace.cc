@@ -43,7 +43,7 @@ Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes
 Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const PlacedCase canonical = c.Under(Freedom{});
   if (auto why = WhyNotMoved(canonical)) return NotExercised(*why);
-  const std::vector<MovedScene> moved = MovedScenes(canonical).ByOneVertex();
+  const std::vector<MovedScene> moved = MovedScenes(canonical, {}).ByOneVertex();
   if (moved.empty()) return NotExercised("no vertex that moves changes what is covered");
   Questions questions;
   questions.company = Company::kInOrderAlone;

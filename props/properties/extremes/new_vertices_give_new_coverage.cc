@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/subject_info.h"
+#include "legal/allowed.h"
 #include "props/judging/gate.h"
 #include "props/judging/legal_counts.h"
 #include "props/judging/moved_scenes.h"
@@ -25,16 +26,17 @@ namespace rasterproof::props {
 namespace new_vertices_give_new_coverage {
 
 // Draws the case, then each successor, and the case again.
-std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, const std::vector<MovedScene>& successors) {
-  std::vector<DrawQuestion> draws{LegalCounts::QuestionOf(c.scene, c)};
-  for (const MovedScene& successor : successors) {
-    draws.push_back(LegalCounts::QuestionOf(successor.scene, c));
-  }
+std::vector<DrawQuestion> DrawsOf(const PlacedCase& c, DrawQuestion of_case,
+                                  const SubjectInfo& info,
+                                  const std::vector<MovedScene>& successors) {
+  std::vector<DrawQuestion> draws{std::move(of_case)};
+  for (const MovedScene& successor : successors)
+    draws.push_back(ComparisonOf(c.With(successor.scene), info, WholeTarget(c)).question);
   draws.push_back(draws.front());
   return draws;
 }
 
-Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
+Verdict Judged(const Answers& answers, const legal::Allowed& first,
                const std::vector<MovedScene>& successors) {
   std::uint64_t changed = 0;
   for (const MovedScene& s : successors) changed += s.expected.Apart(first);
@@ -43,8 +45,8 @@ Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
     std::string of;
     if (d != 0) of += is_the_case ? ", drawn once more" : ", drawn after the case, with ";
     if (!is_the_case) of += successors[d - 1].change + ",";
-    const LegalCounts& expected = is_the_case ? first : successors[d - 1].expected;
-    Verdict verdict = expected.VerdictOn(answers.draws[d]->counts, counts, changed, of);
+    const legal::Allowed& expected = is_the_case ? first : successors[d - 1].expected;
+    Verdict verdict = AsAllowed(expected, answers.draws[d]->counts, changed, of);
     if (verdict.outcome == Outcome::kViolated) return OfDraw(d, std::move(verdict));
   }
   return Verdict::Held(changed);
@@ -52,20 +54,18 @@ Verdict Judged(const Answers& answers, bool counts, const LegalCounts& first,
 
 Checks Ask(const PlacedCase& c, const Description& subject) {
   if (auto why = WhyNotMoved(c)) return NotExercised(*why);
-  const MovedScenes of(c);
+  Comparison comparison = ComparisonOf(c, subject.info, WholeTarget(c));
+  const MovedScenes of(c, comparison.sight);
+  if (!of.expected().why_not().empty()) return NotExercised(of.expected().why_not());
   std::vector<MovedScene> successors = of.ByOneVertex();
   if (successors.empty()) return NotExercised("no vertex that moves changes what is covered");
   if (auto other = of.OtherContent()) successors.push_back(*std::move(other));
   Questions questions;
   questions.company = Company::kInOrderAlone;
-  questions.draws = DrawsOf(c, successors);
-  const CoverageKind kind = subject.info.coverage;
-  const bool counts = kind == CoverageKind::kFacingCounts || kind == CoverageKind::kCounts;
-  return OneCheck(
-      std::move(questions),
-      [counts, first = of.expected(), successors = std::move(successors)](const Answers& answers) {
-        return Judged(answers, counts, first, successors);
-      });
+  questions.draws = DrawsOf(c, std::move(comparison.question), subject.info, successors);
+  return OneCheck(std::move(questions),
+                  [first = of.expected(), successors = std::move(successors)](
+                      const Answers& answers) { return Judged(answers, first, successors); });
 }
 
 constexpr std::array kRules{kCountsTies, kStatesSamplePositions};

@@ -1,0 +1,249 @@
+#include "legal/allowed.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <utility>
+
+#include "core/profile.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+#include "exact/coverage.h"
+#include "exact/primitive_ids.h"
+#include "exact/square_coverage.h"
+#include "legal/decided.h"
+#include "legal/joint.h"
+#include "legal/owners.h"
+#include "model/target_profile.h"
+
+namespace rasterproof::legal {
+namespace {
+
+using exact::PlacedScene;
+
+// Whether the triangles that do not own a sample on a shared edge may have it too.
+bool AddsSharedTies(const Profile& profile) {
+  return SharesTies(profile) && profile.tie_rule.IsConsistent();
+}
+
+// Whether every vertex has one place, so that counts run from a least to a most one.
+bool HasPlaces(const PlacedScene& placed, const Sight& sight) {
+  const Freedom& freedom = placed.profile.freedom;
+  if (placed.profile.contract == Contract::kSquares || freedom.IsNone()) return true;
+  if (freedom.MovesVertices() || placed.scene.clip_space) return false;
+  // One triangle's free owners are its edges, by facing too; those of many depend on each other.
+  const bool is_one = placed.scene.triangles.size() == 1;
+  return AddsSharedTies(placed.profile) ||
+         (is_one && sight.coverage == CoverageKind::kFacingCounts);
+}
+
+std::string WhyNoRange(const PlacedScene& placed) {
+  const TargetProfile& profile = placed.profile;
+  const bool is_stated = profile.contract == Contract::kSampleExact ||
+                         profile.contract == Contract::kSquares || StatesOneSide(profile);
+  if (!is_stated) return "the contract does not state single samples";
+  if (profile.sample_positions != SamplePositions::kStated)
+    return "the profile leaves the places of samples open";
+  const auto why = exact::WhyNotDecided(placed);
+  return why ? why->what() : "";
+}
+
+// Whether nothing is stated of a triangle that is not finite.
+bool IsUnstated(const PlacedScene& placed, const std::array<Vertex, 3>& corners) {
+  const Profile& profile = placed.profile;
+  const auto any = [&](auto is) { return std::ranges::any_of(corners, is); };
+  const bool has_nan_z = any([](const Vertex& v) { return std::isnan(v.z); });
+  if (has_nan_z && profile.nan_z == NanZ::kNothing) return false;  // it covers nothing
+  if (any([](const Vertex& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w); }))
+    return profile.nan_vertex == NanVertex::kUnspecified;
+  if (!std::ranges::all_of(corners, IsFinite))
+    return profile.infinite_vertex == InfiniteVertex::kUnspecified;
+  return has_nan_z && profile.nan_z == NanZ::kUnspecified;
+}
+
+std::uint32_t Raised(std::uint32_t count, std::uint32_t by) {
+  return count > Allowed::kUnbounded - by ? Allowed::kUnbounded : count + by;
+}
+
+// As one call shows it.
+CoverageCounts AsSeen(CoverageCounts counts, CoverageKind kind) {
+  if (kind == CoverageKind::kFacingCounts) return counts;
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    const std::uint32_t count = Raised(counts.front[k], counts.back[k]);
+    counts.front[k] = kind == CoverageKind::kCounts ? count : std::min(count, 1U);
+    counts.back[k] = 0;
+  }
+  return counts;
+}
+
+// Of either facing: a triangle of which nothing is stated has none.
+CoverageCounts MoreThan(CoverageCounts counts, std::uint32_t by) {
+  for (std::size_t k = 0; k < counts.size() && by != 0; ++k) {
+    counts.front[k] = Raised(counts.front[k], by);
+    counts.back[k] = Raised(counts.back[k], by);
+  }
+  return counts;
+}
+
+CoverageCounts Under(PlacedScene placed, const TieRule& rule, const DrawOptions& options) {
+  placed.profile.tie_rule = rule;
+  return exact::Coverage(placed, options);
+}
+
+std::uint64_t BitsShown(std::uint64_t numbers, CoverageKind kind) {
+  if (kind == CoverageKind::kFacingCounts || kind == CoverageKind::kCounts) return numbers;
+  return (numbers & 1U) | ((numbers & ~std::uint64_t{1}) != 0 ? 2U : 0U);
+}
+
+std::uint64_t BitShown(std::uint32_t count, CoverageKind kind) {
+  const std::uint32_t most = kMostCounted;
+  return BitsShown(std::uint64_t{1} << std::min(count, most), kind);
+}
+
+bool IsBetween(std::uint32_t least, std::uint32_t count, std::uint32_t most) {
+  return least <= count && count <= most;
+}
+
+}  // namespace
+
+Allowed::Allowed(const PlacedScene& placed, const Sight& sight, const DrawOptions& options)
+    : sight_(sight) {
+  const bool has_front = placed.profile.front_face == FrontFace::kPositiveArea;
+  if (!has_front && sight.coverage == CoverageKind::kFacingCounts)
+    sight_.coverage = CoverageKind::kCounts;
+  if (HasPlaces(placed, sight_)) {
+    why_not_ = WhyNoRange(placed);
+    if (why_not_.empty()) FindRange(placed, options);
+    return;
+  }
+  why_not_ = WhyNotJoint(placed.scene, placed.profile).value_or("");
+  if (why_not_.empty()) {
+    numbers_ = std::make_shared<const std::vector<std::uint64_t>>(
+        DecidedSamples(placed.scene, placed.profile).counts);
+  }
+}
+
+void Allowed::FindRange(const PlacedScene& placed, const DrawOptions& options) {
+  const TargetProfile& profile = placed.profile;
+  const auto shown = [&](CoverageCounts counts) {
+    return std::make_shared<const CoverageCounts>(AsSeen(std::move(counts), sight_.coverage));
+  };
+  for (const Triangle& t : placed.scene.triangles)
+    unstated_ += IsUnstated(placed, Corners(placed.scene, t)) ? 1 : 0;
+  if (profile.contract == Contract::kSquares) {
+    canonical_ = least_ = shown(exact::MustCover(placed, options));
+    most_ = shown(MoreThan(exact::MayCover(placed, options), unstated_));
+    return;
+  }
+  CoverageCounts model = exact::Coverage(placed, options);
+  canonical_ = least_ = most_ = shown(model);
+  const bool is_free = profile.freedom.ties != TieOwnership::kStated;
+  if (is_free) least_ = shown(Under(placed, {.exclusive = true}, options));
+  if (profile.contract == Contract::kAtMostModel)
+    least_ = shown(CoverageCounts(model.width, model.height, model.samples));
+  CoverageCounts most = model;
+  if (is_free || AddsSharedTies(profile)) most = Under(placed, {.inclusive = true}, options);
+  if (profile.degenerate_triangles == DegenerateTriangles::kUnspecified)
+    unstated_ += static_cast<std::uint32_t>(placed.flat.size());
+  // One triangle that is culled is not drawn with a margin either.
+  const bool is_culled = placed.culled.size() == placed.scene.triangles.size();
+  const bool has_no_most = profile.contract == Contract::kAtLeastModel && !is_culled;
+  most = MoreThan(std::move(most), has_no_most ? kUnbounded : unstated_);
+  if (most != model) {
+    most_ = shown(std::move(most));
+  } else if (sight_.ids && least_ == most_) {
+    ids_ = std::make_shared<const std::vector<std::int32_t>>(
+        exact::PrimitiveIds(placed, options, *sight_.ids));
+  }
+}
+
+bool Allowed::Allows(const CoverageCounts& drawn, std::size_t k) const {
+  const CoverageKind kind = sight_.coverage;
+  if (!IsByPlaces()) return ((*numbers_)[k] & BitShown(drawn.Count(k), kind)) != 0;
+  const CoverageCounts& least = *least_;
+  const CoverageCounts& most = *most_;
+  if (kind == CoverageKind::kFacingCounts) {
+    return IsBetween(least.front[k], drawn.front[k], most.front[k]) &&
+           IsBetween(least.back[k], drawn.back[k], most.back[k]);
+  }
+  const std::uint32_t count = drawn.Count(k);
+  const std::uint32_t shown = kind == CoverageKind::kCounts ? count : std::min(count, 1U);
+  return IsBetween(least.front[k], shown, most.front[k]);
+}
+
+bool Allowed::AllowsAll(const CoverageCounts& drawn) const {
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (!Allows(drawn, k)) return false;
+  }
+  return true;
+}
+
+std::vector<std::size_t> Allowed::Wrong(const CoverageCounts& drawn) const {
+  std::vector<std::size_t> wrong;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (!Allows(drawn, k)) wrong.push_back(k);
+  }
+  return wrong;
+}
+
+std::vector<std::size_t> Allowed::Wrong(const Drawing& drawn) const {
+  if (ids_ == nullptr) return Wrong(drawn.counts);
+  std::vector<std::size_t> wrong;
+  for (std::size_t k = 0; k < ids_->size(); ++k) {
+    if (drawn.primitive_ids[k] != (*ids_)[k]) wrong.push_back(k);
+  }
+  return wrong;
+}
+
+std::uint64_t Allowed::Apart(const Allowed& other) const {
+  std::uint64_t apart = 0;
+  if (!IsByPlaces()) {
+    for (std::size_t k = 0; k < numbers_->size(); ++k) {
+      if (((*numbers_)[k] & (*other.numbers_)[k]) == 0) ++apart;
+    }
+    return apart;
+  }
+  const auto meet = [](const CoverageCounts& least, const CoverageCounts& most, std::size_t k) {
+    return least.front[k] <= most.front[k] && least.back[k] <= most.back[k];
+  };
+  for (std::size_t k = 0; k < least_->size(); ++k) {
+    if (!meet(*least_, *other.most_, k) || !meet(*other.least_, *most_, k)) ++apart;
+  }
+  return apart;
+}
+
+std::uint32_t Allowed::Least(std::size_t k) const {
+  if (IsByPlaces()) return least_->Count(k);
+  return static_cast<std::uint32_t>(std::countr_zero((*numbers_)[k]));
+}
+
+std::uint32_t Allowed::Most(std::size_t k) const {
+  if (IsByPlaces()) return Raised(most_->front[k], most_->back[k]);
+  return static_cast<std::uint32_t>(63 - std::countl_zero((*numbers_)[k]));
+}
+
+CoverageCounts Allowed::Nearest(const CoverageCounts& drawn) const {
+  CoverageCounts nearest = *canonical_;
+  for (std::size_t k = 0; k < nearest.size(); ++k) {
+    nearest.front[k] = std::clamp(drawn.front[k], least_->front[k], most_->front[k]);
+    nearest.back[k] = std::clamp(drawn.back[k], least_->back[k], most_->back[k]);
+  }
+  return nearest;
+}
+
+std::string Allowed::WordsAt(std::size_t k) const {
+  if (IsByPlaces()) {
+    const std::uint32_t most = Most(k);
+    if (most == Least(k)) return std::to_string(most);
+    return std::to_string(Least(k)) +
+           (most == kUnbounded ? " or more" : " to " + std::to_string(most));
+  }
+  std::string words;
+  for (int n = 0; n <= kMostCounted; ++n) {
+    if (((*numbers_)[k] >> n & 1U) != 0) words += (words.empty() ? "" : " or ") + std::to_string(n);
+  }
+  return words;
+}
+
+}  // namespace rasterproof::legal

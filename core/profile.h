@@ -46,7 +46,7 @@ enum class Contract : std::uint8_t {
 /// The statement about a triangle that has no area after snapping.
 enum class DegenerateTriangles : std::uint8_t {
   kNothing,     ///< it covers nothing
-  kUnspecified  ///< it may cover something, and is not judged
+  kUnspecified  ///< it may cover samples on its closed edges, each or none
 };
 
 /// The statement about a triangle with an infinite x, y or w.

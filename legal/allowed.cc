@@ -11,8 +11,10 @@
 #include "core/vertex.h"
 #include "exact/coverage.h"
 #include "exact/primitive_ids.h"
+#include "exact/sample_frame.h"
 #include "exact/square_coverage.h"
 #include "legal/decided.h"
+#include "legal/flat_triangle.h"
 #include "legal/joint.h"
 #include "legal/owners.h"
 #include "model/target_profile.h"
@@ -77,13 +79,24 @@ CoverageCounts AsSeen(CoverageCounts counts, CoverageKind kind) {
   return counts;
 }
 
-// Of either facing: a triangle of which nothing is stated has none.
-CoverageCounts MoreThan(CoverageCounts counts, std::uint32_t by) {
-  for (std::size_t k = 0; k < counts.size() && by != 0; ++k) {
-    counts.front[k] = Raised(counts.front[k], by);
-    counts.back[k] = Raised(counts.back[k], by);
+// Adds the triangles without area to those that may cover a sample. Returns how many of them lie in
+// a plane with the eye: nothing is stated of those.
+std::uint32_t AddFlat(const PlacedScene& placed, const DrawOptions& options,
+                      CoverageCounts& loose) {
+  const exact::SampleFrame frame(placed.scene, placed.profile, options);
+  std::uint32_t unstated = 0;
+  for (const std::size_t t : placed.flat) {
+    const auto v = exact::ScreenTriangle(placed.placed, placed.placed.triangles[t], frame);
+    if (!v || placed.placed.clip_space) {
+      ++unstated;
+      continue;
+    }
+    ForEachSampleOnFlat({WindowPoint((*v)[0]), WindowPoint((*v)[1]), WindowPoint((*v)[2])}, frame,
+                        [&](int x, int row, std::size_t s) {
+                          ++loose.front[loose.Index(x, row, static_cast<int>(s))];
+                        });
   }
-  return counts;
+  return unstated;
 }
 
 CoverageCounts Under(PlacedScene placed, const TieRule& rule, const DrawOptions& options) {
@@ -99,10 +112,6 @@ std::uint64_t BitsShown(std::uint64_t numbers, CoverageKind kind) {
 std::uint64_t BitShown(std::uint32_t count, CoverageKind kind) {
   const std::uint32_t most = kMostCounted;
   return BitsShown(std::uint64_t{1} << std::min(count, most), kind);
-}
-
-bool IsBetween(std::uint32_t least, std::uint32_t count, std::uint32_t most) {
-  return least <= count && count <= most;
 }
 
 }  // namespace
@@ -129,47 +138,58 @@ void Allowed::FindRange(const PlacedScene& placed, const DrawOptions& options) {
   const auto shown = [&](CoverageCounts counts) {
     return std::make_shared<const CoverageCounts>(AsSeen(std::move(counts), sight_.coverage));
   };
+  CoverageCounts loose(placed.scene.width, placed.scene.height, profile.pattern.samples());
+  if (profile.contract != Contract::kSquares &&
+      profile.degenerate_triangles == DegenerateTriangles::kUnspecified)
+    unstated_ += AddFlat(placed, options, loose);
   for (const Triangle& t : placed.scene.triangles)
     unstated_ += IsUnstated(placed, Corners(placed.scene, t)) ? 1 : 0;
+  for (std::uint32_t& n : loose.front) n += unstated_;
+  const bool is_loose = std::ranges::any_of(loose.front, [](std::uint32_t n) { return n != 0; });
+  if (is_loose) loose_ = std::make_shared<const CoverageCounts>(std::move(loose));
   if (profile.contract == Contract::kSquares) {
     canonical_ = least_ = shown(exact::MustCover(placed, options));
-    most_ = shown(MoreThan(exact::MayCover(placed, options), unstated_));
+    most_ = shown(exact::MayCover(placed, options));
     return;
   }
   CoverageCounts model = exact::Coverage(placed, options);
   canonical_ = least_ = most_ = shown(model);
   const bool is_free = profile.freedom.ties != TieOwnership::kStated;
   if (is_free) least_ = shown(Under(placed, {.exclusive = true}, options));
+  if (is_free || AddsSharedTies(profile))
+    most_ = shown(Under(placed, {.inclusive = true}, options));
   if (profile.contract == Contract::kAtMostModel)
     least_ = shown(CoverageCounts(model.width, model.height, model.samples));
-  CoverageCounts most = model;
-  if (is_free || AddsSharedTies(profile)) most = Under(placed, {.inclusive = true}, options);
-  if (profile.degenerate_triangles == DegenerateTriangles::kUnspecified)
-    unstated_ += static_cast<std::uint32_t>(placed.flat.size());
   // One triangle that is culled is not drawn with a margin either.
   const bool is_culled = placed.culled.size() == placed.scene.triangles.size();
-  const bool has_no_most = profile.contract == Contract::kAtLeastModel && !is_culled;
-  most = MoreThan(std::move(most), has_no_most ? kUnbounded : unstated_);
-  if (most != model) {
-    most_ = shown(std::move(most));
-  } else if (sight_.ids && least_ == most_) {
+  if (profile.contract == Contract::kAtLeastModel && !is_culled) {
+    std::ranges::fill(model.front, kUnbounded);
+    std::ranges::fill(model.back, kUnbounded);
+    most_ = shown(std::move(model));
+  }
+  if (sight_.ids && !is_loose && (least_ == most_ || *least_ == *most_)) {
     ids_ = std::make_shared<const std::vector<std::int32_t>>(
         exact::PrimitiveIds(placed, options, *sight_.ids));
   }
 }
 
+bool Allowed::IsAtMost(std::uint32_t front, std::uint32_t back, std::size_t k) const {
+  const auto above = [](std::uint32_t count, std::uint32_t most) {
+    return std::uint64_t{count > most ? count - most : 0};
+  };
+  return above(front, most_->front[k]) + above(back, most_->back[k]) <= Loose(k);
+}
+
 bool Allowed::Allows(const CoverageCounts& drawn, std::size_t k) const {
   const CoverageKind kind = sight_.coverage;
   if (!IsByPlaces()) return ((*numbers_)[k] & BitShown(drawn.Count(k), kind)) != 0;
-  const CoverageCounts& least = *least_;
-  const CoverageCounts& most = *most_;
   if (kind == CoverageKind::kFacingCounts) {
-    return IsBetween(least.front[k], drawn.front[k], most.front[k]) &&
-           IsBetween(least.back[k], drawn.back[k], most.back[k]);
+    return drawn.front[k] >= least_->front[k] && drawn.back[k] >= least_->back[k] &&
+           IsAtMost(drawn.front[k], drawn.back[k], k);
   }
   const std::uint32_t count = drawn.Count(k);
   const std::uint32_t shown = kind == CoverageKind::kCounts ? count : std::min(count, 1U);
-  return IsBetween(least.front[k], shown, most.front[k]);
+  return shown >= least_->front[k] && IsAtMost(shown, 0, k);
 }
 
 bool Allowed::AllowsAll(const CoverageCounts& drawn) const {
@@ -204,11 +224,10 @@ std::uint64_t Allowed::Apart(const Allowed& other) const {
     }
     return apart;
   }
-  const auto meet = [](const CoverageCounts& least, const CoverageCounts& most, std::size_t k) {
-    return least.front[k] <= most.front[k] && least.back[k] <= most.back[k];
-  };
   for (std::size_t k = 0; k < least_->size(); ++k) {
-    if (!meet(*least_, *other.most_, k) || !meet(*other.least_, *most_, k)) ++apart;
+    if (!IsAtMost(other.least_->front[k], other.least_->back[k], k) ||
+        !other.IsAtMost(least_->front[k], least_->back[k], k))
+      ++apart;
   }
   return apart;
 }
@@ -219,15 +238,26 @@ std::uint32_t Allowed::Least(std::size_t k) const {
 }
 
 std::uint32_t Allowed::Most(std::size_t k) const {
-  if (IsByPlaces()) return Raised(most_->front[k], most_->back[k]);
+  if (IsByPlaces()) {
+    const std::uint32_t most = Raised(Raised(most_->front[k], most_->back[k]), Loose(k));
+    const bool counts =
+        sight_.coverage == CoverageKind::kFacingCounts || sight_.coverage == CoverageKind::kCounts;
+    return counts ? most : std::min(most, 1U);
+  }
   return static_cast<std::uint32_t>(63 - std::countl_zero((*numbers_)[k]));
 }
 
 CoverageCounts Allowed::Nearest(const CoverageCounts& drawn) const {
   CoverageCounts nearest = *canonical_;
   for (std::size_t k = 0; k < nearest.size(); ++k) {
-    nearest.front[k] = std::clamp(drawn.front[k], least_->front[k], most_->front[k]);
-    nearest.back[k] = std::clamp(drawn.back[k], least_->back[k], most_->back[k]);
+    std::uint32_t loose = Loose(k);
+    const auto near = [&loose](std::uint32_t count, std::uint32_t least, std::uint32_t most) {
+      const std::uint32_t above = std::min(count > most ? count - most : 0, loose);
+      loose -= above;
+      return std::clamp(count, least, Raised(most, above));
+    };
+    nearest.front[k] = near(drawn.front[k], least_->front[k], most_->front[k]);
+    nearest.back[k] = near(drawn.back[k], least_->back[k], most_->back[k]);
   }
   return nearest;
 }

@@ -85,13 +85,18 @@ class Allowed {
   using Counts = std::shared_ptr<const CoverageCounts>;
 
   void FindRange(const exact::PlacedScene& placed, const DrawOptions& options);
+  // How many triangles may cover the sample or not, and be counted on either side.
+  std::uint32_t Loose(std::size_t k) const { return loose_ ? loose_->front[k] : 0; }
+  // Whether no more are counted than the most of each side and the loose ones.
+  bool IsAtMost(std::uint32_t front, std::uint32_t back, std::size_t k) const;
 
   Sight sight_;
   std::string why_not_;
   std::uint32_t unstated_ = 0;
   Counts canonical_;  ///< null: not by places
   Counts least_;
-  Counts most_;
+  Counts most_;   ///< without what is loose
+  Counts loose_;  ///< in `front`: triangles that may be counted on either side; null: none
   std::shared_ptr<const std::vector<std::uint64_t>> numbers_;  ///< as Decided::counts
   std::shared_ptr<const std::vector<std::int32_t>> ids_;       ///< where ids are compared
 };

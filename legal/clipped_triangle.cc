@@ -61,6 +61,32 @@ bool ClippedTriangle::MayDecide(Point2 p) const {
   return false;
 }
 
+// The triangle and a square of `by` on each axis around each of its points are apart from p if one
+// of these separates them: an axis, or the direction of an edge.
+bool ClippedTriangle::IsFarFrom(Point2 p, double moved) const {
+  const double by = reach_ + moved;
+  const auto [left, right] = std::minmax({corners_[0].x, corners_[1].x, corners_[2].x});
+  const auto [top, bottom] = std::minmax({corners_[0].y, corners_[1].y, corners_[2].y});
+  if (p.x < left - by || p.x > right + by || p.y < top - by || p.y > bottom + by) return true;
+  for (std::size_t e = 0; e < 3; ++e) {
+    const Point2 a = corners_[e];
+    const Point2 b = corners_[(e + 1) % 3];
+    const Point2 c = corners_[(e + 2) % 3];
+    const Point2 d{b.x - a.x, b.y - a.y};
+    const Point2 q{p.x - a.x, p.y - a.y};
+    const Point2 r{c.x - a.x, c.y - a.y};
+    const double across = std::fabs(d.x) + std::fabs(d.y);
+    const double away = std::max(std::fabs(q.x) + std::fabs(q.y), std::fabs(r.x) + std::fabs(r.y));
+    // As in IsBeside(), of both values.
+    constexpr double kRounding = 0x1p-49;
+    const double margin = by * across + kRounding * (away + by) * (across + by);
+    const double of_p = q.x * d.y - q.y * d.x;
+    const double of_c = r.x * d.y - r.y * d.x;
+    if (of_p > std::max(0.0, of_c) + margin || of_p < std::min(0.0, of_c) - margin) return true;
+  }
+  return false;
+}
+
 bool ClippedTriangle::Keeps(std::size_t e, Point2 p) const {
   if (IsBeside(e, p)) return false;
   const std::size_t next = (e + 1) % 3;

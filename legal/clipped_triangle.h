@@ -44,6 +44,10 @@ class ClippedTriangle {
   bool MayDecide(Point2 p) const;
   /// Whether clipping leaves the sample on its side of edge `e`, from corner e to the next.
   bool Keeps(std::size_t e, Point2 p) const;
+  /// Whether the sample is out of reach of the triangle and of every piece that clipping makes of
+  /// it: their corners lie less than the reach, and what places of corners differ by, `moved`, from
+  /// the given triangle on each axis. Holds for triangles without area too.
+  bool IsFarFrom(Point2 p, double moved) const;
   /// The edge next to the sample, if exactly one edge that leaves is, and its moved line passes the
   /// sample: the line's side of it, apart from the other edges, then decides.
   std::optional<std::size_t> OnlyMovedEdge(Point2 p) const;

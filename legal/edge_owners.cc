@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace rasterproof::legal {
 namespace {
+
+// Two triangles that may turn have no owner of their common edge if their corners have more choices
+// of places than this: two clauses each, for each sample.
+constexpr std::size_t kMostChoices = 4096;
 
 // A triangle's side of an edge between two positions.
 struct Side {
@@ -21,6 +26,13 @@ bool CanLieOnEdge(const FamilyView& view, const Side& side, Point2 p) {
     }
   }
   return false;
+}
+
+// Of the places of both triangles' corners.
+std::size_t ChoicesOf(const FamilyView& view, const Side& first, const Side& second) {
+  std::size_t choices = view.PlacesOf(second.triangle, (second.corner + 2) % 3).size();
+  for (std::size_t k = 0; k < 3; ++k) choices *= view.PlacesOf(first.triangle, k).size();
+  return choices;
 }
 
 }  // namespace
@@ -40,7 +52,13 @@ std::vector<CommonEdgeSample> CommonEdgeSamplesOf(const FamilyView& view,
   }
   std::vector<CommonEdgeSample> samples;
   for (const auto& [edge, of] : sides) {
-    if (of.size() != 2 || of[0].side * of[1].side != -1) continue;
+    if (of.size() != 2 || of[0].side * of[1].side == 1) continue;
+    std::optional<std::size_t> opposite;
+    if (of[0].side * of[1].side == 0) {
+      // One that is left out may be the owner.
+      if (view.MayDrop() || ChoicesOf(view, of[0], of[1]) > kMostChoices) continue;
+      opposite = (of[1].corner + 2) % 3;
+    }
     std::size_t i = first_open[of[0].triangle];
     std::size_t j = first_open[of[1].triangle];
     while (i < first_open[of[0].triangle + 1] && j < first_open[of[1].triangle + 1]) {
@@ -50,7 +68,7 @@ std::vector<CommonEdgeSample> CommonEdgeSamplesOf(const FamilyView& view,
         ++j;
       } else {
         if (!open[i].is_clipped && !open[j].is_clipped && CanLieOnEdge(view, of[0], open[i].at))
-          samples.push_back({&open[i], &open[j], of[0].corner});
+          samples.push_back({&open[i], &open[j], of[0].corner, opposite});
         ++i;
         ++j;
       }

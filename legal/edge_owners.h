@@ -11,8 +11,9 @@
 namespace rasterproof::legal {
 
 /// Returns every sample that some choice of places puts on an edge between exactly two triangles,
-/// one on each side of it in every legal model. If more triangles share an edge, or a legal model
-/// turns one of them, no specification states an owner.
+/// one on each side of it in some legal model. If more triangles share an edge, no specification
+/// states an owner, nor in a legal model that turns or flattens one of them. Left out are two that
+/// may turn whose corners have more than 4096 choices of places.
 ///
 /// Domain:     `open` by triangle: [first_open[t], first_open[t + 1]) are triangle t's, in
 ///             ascending order of their samples.

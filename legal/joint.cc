@@ -57,8 +57,14 @@ std::vector<Component> ComponentsOf(const FamilyView& view, const FamilySamples&
       if (view.choices().places[position].size() > 1) parts.Join(node(&open), position);
     }
   }
-  for (const CommonEdgeSample& edge : all.common_edges)
+  for (const CommonEdgeSample& edge : all.common_edges) {
     parts.Join(node(edge.first), node(edge.second));
+    if (!edge.opposite) continue;
+    for (std::size_t k = 0; k < 3; ++k) {  // whether there is an owner depends on all corners
+      parts.Join(node(edge.first), view.PositionOf(edge.first->triangle, k));
+      parts.Join(node(edge.second), view.PositionOf(edge.second->triangle, k));
+    }
+  }
   for (const Exclusion& exclusion : all.exclusions) {
     for (const auto& one : exclusion) {
       parts.Join(positions + one.first, positions + exclusion.front().first);

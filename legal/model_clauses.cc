@@ -1,6 +1,7 @@
 #include "legal/model_clauses.h"
 
 #include <algorithm>
+#include <array>
 
 #include "exact/edge.h"
 
@@ -53,9 +54,24 @@ Literal ModelClauses::Covers(const OpenSample& open) {
   return covers;
 }
 
+void ModelClauses::AddExactlyOne(std::span<const Place> chosen, Literal first, Literal second) {
+  std::vector<Literal> unless;
+  for (const Place& one : chosen) {
+    const Literal place = PlaceOf(view_.PositionOf(one.triangle, one.corner), one.place);
+    if (place != 0) unless.push_back(-place);
+  }
+  std::vector<Literal> either = unless;
+  either.insert(either.end(), {first, second});
+  solver_.Add(either);
+  unless.insert(unless.end(), {-first, -second});
+  solver_.Add(unless);
+}
+
 void ModelClauses::AddOwner(const CommonEdgeSample& edge) {
   const std::size_t t = edge.first->triangle;
+  const std::size_t u = edge.second->triangle;
   const std::size_t next = (edge.corner + 1) % 3;
+  const std::size_t third = (edge.corner + 2) % 3;
   const std::vector<Point2>& from = view_.PlacesOf(t, edge.corner);
   const std::vector<Point2>& to = view_.PlacesOf(t, next);
   const Literal first = Covers(*edge.first);
@@ -63,16 +79,21 @@ void ModelClauses::AddOwner(const CommonEdgeSample& edge) {
   for (std::size_t i = 0; i < from.size(); ++i) {
     for (std::size_t j = 0; j < to.size(); ++j) {
       if (!LiesOnEdge(from[i], to[j], edge.first->at)) continue;
-      std::vector<Literal> chosen;
-      for (const Literal place :
-           {PlaceOf(view_.PositionOf(t, edge.corner), i), PlaceOf(view_.PositionOf(t, next), j)}) {
-        if (place != 0) chosen.push_back(-place);
+      const std::array<Place, 2> ends{{{t, edge.corner, i}, {t, next, j}}};
+      if (!edge.opposite) {
+        AddExactlyOne(ends, first, second);
+        continue;
       }
-      std::vector<Literal> one = chosen;
-      one.insert(one.end(), {first, second});
-      solver_.Add(one);
-      chosen.insert(chosen.end(), {-first, -second});
-      solver_.Add(chosen);
+      const std::vector<Point2>& beside = view_.PlacesOf(t, third);
+      const std::vector<Point2>& beyond = view_.PlacesOf(u, *edge.opposite);
+      for (std::size_t k = 0; k < beside.size(); ++k) {
+        const int side = exact::EdgeSign(from[i], to[j], beside[k]);
+        for (std::size_t l = 0; l < beyond.size() && side != 0; ++l) {
+          if (exact::EdgeSign(from[i], to[j], beyond[l]) != -side) continue;
+          const std::array<Place, 4> all{{ends[0], ends[1], {t, third, k}, {u, *edge.opposite, l}}};
+          AddExactlyOne(all, first, second);
+        }
+      }
     }
   }
 }

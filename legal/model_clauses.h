@@ -3,6 +3,7 @@
 #define RASTERPROOF_LEGAL_MODEL_CLAUSES_H_
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -17,6 +18,9 @@ struct CommonEdgeSample {
   const OpenSample* first = nullptr;
   const OpenSample* second = nullptr;
   std::size_t corner = 0;  ///< of `first`, where the edge begins
+  /// The corner of `second` that is not on the edge, if some legal model has the two on one side of
+  /// it, or one of them without area: then no owner is stated in that model.
+  std::optional<std::size_t> opposite;
 };
 
 /// Variables for the places of vertices and for coverage, with the clauses that connect them.
@@ -28,7 +32,8 @@ class ModelClauses {
   ///
   /// Domain:     `open` outlives this.
   Literal Covers(const OpenSample& open);
-  /// Adds that exactly one of the two has the sample under every choice that puts it on the edge.
+  /// Adds that exactly one of the two has the sample under every choice that puts it on the edge,
+  /// and the two on either side of it.
   void AddOwner(const CommonEdgeSample& edge);
   /// Adds that not all of these decisions hold together.
   ///
@@ -40,6 +45,15 @@ class ModelClauses {
   Solver& solver() { return solver_; }
 
  private:
+  /// One corner's place in a choice.
+  struct Place {
+    std::size_t triangle;
+    std::size_t corner;
+    std::size_t place;
+  };
+
+  /// Adds that exactly one of the two literals holds where these places are chosen.
+  void AddExactlyOne(std::span<const Place> chosen, Literal first, Literal second);
   /// Nothing (0) if the position has one place.
   Literal PlaceOf(std::size_t position, std::size_t place);
 

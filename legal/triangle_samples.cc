@@ -9,6 +9,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "legal/clipped_triangle.h"
+#include "legal/flat_triangle.h"
 #include "legal/straight_edges.h"
 #include "model/drop.h"
 #include "model/target_profile.h"
@@ -57,6 +58,8 @@ class EdgeOverPlaces {
     return rule_ ? exact::ShiftedEdgeSign(from_[i], to_[j], p, *rule_)
                  : exact::EdgeSign(from_[i], to_[j], p);
   }
+  // How far a place of an end lies from its first one, at most, on each axis.
+  double reach() const { return reach_; }
 
  private:
   static double Reach(const std::vector<Point2>& places) {
@@ -82,8 +85,10 @@ class TriangleOverPlaces {
         edges_{EdgeOverPlaces(*places[0], *places[1], rule),
                EdgeOverPlaces(*places[1], *places[2], rule),
                EdgeOverPlaces(*places[2], *places[0], rule)},
-        flat_(profile.degenerate_triangles == DegenerateTriangles::kNothing ? Status::kOut
-                                                                            : Status::kFree) {
+        unshifted_{EdgeOverPlaces(*places[0], *places[1], std::nullopt),
+                   EdgeOverPlaces(*places[1], *places[2], std::nullopt),
+                   EdgeOverPlaces(*places[2], *places[0], std::nullopt)},
+        flat_covers_(profile.degenerate_triangles == DegenerateTriangles::kUnspecified) {
     if (rule && rule->inclusive) on_edge_ = Status::kIn;
     if (rule && rule->exclusive) on_edge_ = Status::kOut;
     ForEachChoice([&](std::size_t i, std::size_t j, std::size_t k) {
@@ -102,12 +107,14 @@ class TriangleOverPlaces {
 
   // The status that every choice gives the sample; nothing if they differ.
   std::optional<Status> Constant(Point2 p) const {
-    const std::array<std::optional<int>, 3> signs{edges_[0].Constant(p), edges_[1].Constant(p),
-                                                  edges_[2].Constant(p)};
+    // A flat choice may cover samples on its edges, whatever a rule of ties says of them.
+    const auto& edges = has_one_shape_ || !flat_covers_ ? edges_ : unshifted_;
+    const std::array<std::optional<int>, 3> signs{edges[0].Constant(p), edges[1].Constant(p),
+                                                  edges[2].Constant(p)};
     const bool on_left = std::ranges::any_of(signs, [](const auto& s) { return s && *s > 0; });
     const bool on_right = std::ranges::any_of(signs, [](const auto& s) { return s && *s < 0; });
-    // Outside for either side of the third edge and either facing, unless flat triangles are free.
-    if (on_left && on_right && (has_one_shape_ || flat_ == Status::kOut)) return Status::kOut;
+    // Outside for either side of the third edge and either facing, and off all edges of flat ones.
+    if (on_left && on_right) return Status::kOut;
     if (!has_one_shape_) return std::nullopt;
     if (facing() > 0 ? on_right : on_left) return Status::kOut;
     const bool is_sure = signs[0] && signs[1] && signs[2];
@@ -116,6 +123,7 @@ class TriangleOverPlaces {
 
   // Whether the sample is outside however the triangle is clipped.
   bool IsOutIfClipped(const ClippedTriangle& clipped, Point2 p) const {
+    if (clipped.IsFarFrom(p, Moved())) return true;
     for (std::size_t e = 0; e < 3 && has_one_shape_; ++e) {
       if (clipped.Keeps(e, p) && edges_[e].Constant(p) == -facing()) return true;
     }
@@ -149,7 +157,11 @@ class TriangleOverPlaces {
       const std::array<int, 3> s{signs[0][i * places_[1]->size() + j],
                                  signs[1][j * places_[2]->size() + k],
                                  signs[2][k * places_[0]->size() + i]};
-      by_choice.push_back(StatusOf(choice++, s));
+      by_choice.push_back(
+          facings_[choice] == 0 && flat_covers_ && !dropped_[choice]
+              ? StatusOfFlat({(*places_[0])[i], (*places_[1])[j], (*places_[2])[k]}, p)
+              : StatusOf(choice, s));
+      ++choice;
     });
     return by_choice;
   }
@@ -169,10 +181,19 @@ class TriangleOverPlaces {
     }
   }
 
+  static Status StatusOfFlat(const std::array<Point2, 3>& corners, Point2 p) {
+    return LiesOnFlat(corners, p) ? Status::kFree : Status::kOut;
+  }
+
+  // How far a place of a corner lies from the first one, at most, on each axis.
+  double Moved() const {
+    return std::max({edges_[0].reach(), edges_[1].reach(), edges_[2].reach()});
+  }
+
   Status StatusOf(std::size_t choice, const std::array<int, 3>& signs) const {
     if (dropped_[choice]) return Status::kOut;
     const int facing = facings_[choice];
-    if (facing == 0) return flat_;
+    if (facing == 0) return Status::kOut;
     if (std::ranges::any_of(signs, [&](int s) { return s == -facing; })) return Status::kOut;
     const bool on_edge = std::ranges::any_of(signs, [](int s) { return s == 0; });
     return on_edge ? on_edge_ : Status::kIn;
@@ -180,9 +201,10 @@ class TriangleOverPlaces {
 
   Corners3 places_;
   std::array<EdgeOverPlaces, 3> edges_;
-  Status flat_;
-  Status on_edge_ = Status::kFree;    // where no consistent rule decides
-  std::vector<std::int8_t> facings_;  // by choice
+  std::array<EdgeOverPlaces, 3> unshifted_;  // without a rule of ties
+  bool flat_covers_;                         // a flat choice may cover samples on its edges
+  Status on_edge_ = Status::kFree;           // where no consistent rule decides
+  std::vector<std::int8_t> facings_;         // by choice
   std::vector<bool> dropped_;
   bool has_one_shape_ = true;
 };

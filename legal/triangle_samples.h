@@ -78,6 +78,10 @@ class FamilyView {
   }
   /// Whether each sample on a common edge has one owner, chosen sample by sample.
   bool OwnsByEdge() const { return OwnersOfTies(profile_) == TieOwnership::kPerEdge; }
+  /// Whether the profile may leave out a triangle for its facing or its extent.
+  bool MayDrop() const {
+    return profile_.culls != Cull::kNone || profile_.max_primitive_extent.has_value();
+  }
   std::size_t triangles() const { return scene_.triangles.size(); }
   int samples_per_pixel() const { return static_cast<int>(frame_.offsets.size()); }
   Point2 At(int x, int row, std::size_t s) const { return frame_.At(x, row, s); }

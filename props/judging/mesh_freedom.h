@@ -19,8 +19,8 @@
 namespace rasterproof::props {
 
 /// The samples that more than one triangle of a mesh may cover. There are none unless
-/// legal::SharesTies(). Otherwise they are the samples on the mesh's edges; if the profile leaves the
-/// places of vertices free, all samples near its edges.
+/// legal::SharesTies(). Otherwise they are the samples on the mesh's edges; if the profile leaves
+/// the places of vertices free, all samples near its edges.
 class SharedTies {
  public:
   explicit SharedTies(const PlacedCase& c);

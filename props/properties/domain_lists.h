@@ -195,9 +195,9 @@ inline constexpr auto kClipped = std::to_array<std::string_view>(
      "covering-fans", "every-size", "guard-band-ends", "folds", "perspective-meshes",
      "meshes-around-eye", "cameras"});
 
-// Vertices that a tolerance lets snap either way, meshes first.
+// Vertices that a tolerance lets snap either way, meshes first, and triangles that it flattens.
 inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(
-    {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds"});
+    {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds", "degenerate", "least-areas"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 
 #include "core/snap.h"
 #include "model/snap.h"
@@ -15,6 +16,18 @@ double Edge(Point2 a, Point2 b, Point2 p) {
   return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
 }
 
+// Whether p is on a closed edge of three points on one line.
+bool LiesOnSegments(const std::array<Point2, 3>& v, Point2 p) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point2 a = v[k];
+    const Point2 b = v[(k + 1) % 3];
+    const bool within = std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
+                        std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+    if (within && Edge(a, b, p) == 0) return true;
+  }
+  return false;
+}
+
 // What one model says of a triangle and a sample, by the definition.
 enum class Says { kOut, kIn, kFree };
 
@@ -23,7 +36,10 @@ Says SaysOf(const Profile& profile, const TieRule& rule, const Scene& scene, con
   std::array<Point2, 3> v{};
   for (std::size_t k = 0; k < 3; ++k) v[k] = model[static_cast<std::size_t>(scene.triangles[t][k])];
   const double area = Edge(v[0], v[1], v[2]);
-  if (area == 0) return Says::kOut;
+  if (area == 0) {
+    const bool is_open = profile.degenerate_triangles == DegenerateTriangles::kUnspecified;
+    return is_open && LiesOnSegments(v, p) ? Says::kFree : Says::kOut;
+  }
   bool on_edge = false;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point2 a = v[k];
@@ -55,6 +71,7 @@ bool IsOwnedOnce(const Scene& scene, const Model& model, std::size_t t, std::siz
       const Point2 a = at(t, i);
       const Point2 b = at(t, i + 1);
       if (Edge(a, b, p) != 0) continue;
+      if (Edge(a, b, at(t, i + 2)) * Edge(a, b, at(u, j + 2)) >= 0) continue;  // on one side
       const double dot = (p.x - a.x) * (b.x - a.x) + (p.y - a.y) * (b.y - a.y);
       const double length = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
       if (dot > 0 && dot < length) return true;
@@ -63,8 +80,13 @@ bool IsOwnedOnce(const Scene& scene, const Model& model, std::size_t t, std::siz
   return false;
 }
 
-Point2 SampleAt(std::size_t s) {
-  return {static_cast<double>(s % kSide) + 0.5, static_cast<double>(s / kSide) + 0.5};
+std::size_t SamplesOf(const Scene& scene) {
+  return static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(scene.height);
+}
+
+Point2 SampleAt(const Scene& scene, std::size_t s) {
+  const auto width = static_cast<std::size_t>(scene.width);
+  return {static_cast<double>(s % width) + 0.5, static_cast<double>(s / width) + 0.5};
 }
 
 // Visits every place of every vertex, until the visit returns true.
@@ -97,8 +119,8 @@ bool SharesPositions(const Scene& scene) {
 
 bool ExplainsAlone(const Scene& scene, const Profile& profile, const TieRule& rule,
                    const Model& model, const Drawn& drawn) {
-  for (std::size_t s = 0; s < kSide * kSide; ++s) {
-    const Point2 p = SampleAt(s);
+  for (std::size_t s = 0; s < SamplesOf(scene); ++s) {
+    const Point2 p = SampleAt(scene, s);
     for (std::size_t t = 0; t < drawn.size(); ++t) {
       const Says says = SaysOf(profile, rule, scene, model, t, p);
       if (says != Says::kFree && (says == Says::kIn) != drawn[t][s]) return false;
@@ -120,10 +142,10 @@ bool ExplainsSetAt(const Scene& scene, const Profile& profile, const TieRule& ru
   for (unsigned bits = 0; bits < 1U << n; ++bits) {
     bool fits = accepts(bits);
     for (std::size_t t = 0; t < n && fits; ++t) {
-      const Says says = SaysOf(profile, rule, scene, model, t, SampleAt(s));
+      const Says says = SaysOf(profile, rule, scene, model, t, SampleAt(scene, s));
       fits = says == Says::kFree || (says == Says::kIn) == ((bits >> t & 1U) != 0);
       for (std::size_t u = t + 1; u < n && profile.freedom.ties == TieOwnership::kPerEdge; ++u) {
-        if (!IsOwnedOnce(scene, model, t, u, SampleAt(s))) continue;
+        if (!IsOwnedOnce(scene, model, t, u, SampleAt(scene, s))) continue;
         fits = fits && (bits >> t & 1U) != (bits >> u & 1U);
       }
     }
@@ -141,7 +163,7 @@ bool ExplainsCountAt(const Scene& scene, const Profile& profile, const TieRule& 
 
 bool ExplainsCounts(const Scene& scene, const Profile& profile, const TieRule& rule,
                     const Model& model, const CoverageCounts& counts) {
-  for (std::size_t s = 0; s < kSide * kSide; ++s) {
+  for (std::size_t s = 0; s < SamplesOf(scene); ++s) {
     if (!ExplainsCountAt(scene, profile, rule, model, s, counts.Count(s))) return false;
   }
   return true;
@@ -170,37 +192,17 @@ bool ExplainsAt(const Scene& scene, const Profile& profile, const CoverageCounts
   });
 }
 
-std::vector<CoverageCounts> AsCounts(const Drawn& drawn) {
+std::vector<CoverageCounts> AsCounts(const Scene& scene, const Drawn& drawn) {
   std::vector<CoverageCounts> all;
   for (const std::vector<bool>& one : drawn) {
-    CoverageCounts counts(kSide, kSide);
+    CoverageCounts counts(scene.width, scene.height);
     for (std::size_t s = 0; s < one.size(); ++s) counts.front[s] = one[s] ? 1 : 0;
     all.push_back(std::move(counts));
   }
   return all;
 }
 
-bool IsJudgedAlike(const Scene& scene, const Profile& profile) {
-  if (SharesPositions(scene)) return false;
-  if (profile.freedom.ties != TieOwnership::kPerEdge) return true;
-  bool front = false;
-  bool back = false;
-  bool flat = false;
-  for (const Snap& grid : LegalGrids(profile.snap, profile.freedom)) {
-    AnyModel(scene, profile, grid, [&](const Model& model) {
-      for (const Triangle& t : scene.triangles) {
-        const double area =
-            Edge(model[static_cast<std::size_t>(t[0])], model[static_cast<std::size_t>(t[1])],
-                 model[static_cast<std::size_t>(t[2])]);
-        front = front || area > 0;
-        back = back || area < 0;
-        flat = flat || area == 0;
-      }
-      return false;
-    });
-  }
-  return !flat && !(front && back);
-}
+bool IsJudgedAlike(const Scene& scene) { return !SharesPositions(scene); }
 
 Scene Draws::AScene() {
   Scene scene;
@@ -216,6 +218,40 @@ Scene Draws::AScene() {
   return scene;
 }
 
+Scene Draws::AThinScene() {
+  Scene scene;
+  scene.width = static_cast<int>(2 + Below(4));
+  scene.height = static_cast<int>(2 + Below(4));
+  scene.precision = Precision::kFloat64;
+  const auto anywhere = [&](int side) {
+    const std::size_t eighths = 8 * static_cast<std::size_t>(side) + 1;
+    const double x = static_cast<double>(Below(eighths)) / 8;
+    return Below(3) == 0 ? std::floor(x) + 0.5 : x;  // on a line of samples
+  };
+  const auto add = [&](double x, double y) { scene.vertices.push_back({x, y, 0, 1}); };
+  for (int k = 0; k < 2; ++k) add(anywhere(scene.width), anywhere(scene.height));
+  const bool has_two = Below(2) == 0;
+  for (int k = 0; k < (has_two ? 2 : 1); ++k) {
+    const Vertex a = scene.vertices[0];
+    const Vertex b = scene.vertices[1];
+    if (Below(4) == 0) {
+      add(anywhere(scene.width), anywhere(scene.height));
+      continue;
+    }
+    // Near the line through the others, rounded to eighths, and at times an eighth beside.
+    const double along = static_cast<double>(Below(9)) / 8;
+    const auto near = [&](double from, double to) {
+      const double eighths = std::rint(8 * (from + along * (to - from)));
+      return (eighths + static_cast<double>(Below(3)) - 1) / 8;
+    };
+    const double x = near(a.x, b.x);
+    add(x, near(a.y, b.y));
+  }
+  scene.triangles = {{0, 1, 2}};
+  if (has_two) scene.triangles.push_back({1, 0, 3});
+  return scene;
+}
+
 Profile Draws::AProfile() {
   Profile profile;
   profile.name = "free";
@@ -224,6 +260,7 @@ Profile Draws::AProfile() {
   if (!profile.freedom.any_rounding) profile.freedom.snap_tolerance = Below(2) == 0 ? 0.6 : 0.75;
   if (Below(3) == 0) profile.freedom.least_bits = 0;
   profile.freedom.ties = static_cast<TieOwnership>(Below(4));
+  if (Below(2) == 0) profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
   return profile;
 }
 
@@ -239,13 +276,13 @@ Drawn Draws::ALegalDrawing(const Scene& scene, const Profile& profile) {
     const std::vector<double> ys = LegalGridPoints(v.y, grid, profile.freedom);
     model.push_back({xs[Below(xs.size())], ys[Below(ys.size())]});
   }
-  Drawn drawn(scene.triangles.size(), std::vector<bool>(kSide * kSide));
-  for (std::size_t s = 0; s < kSide * kSide; ++s) {
+  Drawn drawn(scene.triangles.size(), std::vector<bool>(SamplesOf(scene)));
+  for (std::size_t s = 0; s < SamplesOf(scene); ++s) {
     for (std::size_t t = 0; t < drawn.size(); ++t) {
-      const Says says = SaysOf(profile, rule, scene, model, t, SampleAt(s));
+      const Says says = SaysOf(profile, rule, scene, model, t, SampleAt(scene, s));
       drawn[t][s] = says == Says::kIn || (says == Says::kFree && Below(2) == 0);
       for (std::size_t u = 0; u < t && profile.freedom.ties == TieOwnership::kPerEdge; ++u) {
-        if (IsOwnedOnce(scene, model, u, t, SampleAt(s))) drawn[t][s] = !drawn[u][s];
+        if (IsOwnedOnce(scene, model, u, t, SampleAt(scene, s))) drawn[t][s] = !drawn[u][s];
       }
     }
   }
@@ -253,13 +290,24 @@ Drawn Draws::ALegalDrawing(const Scene& scene, const Profile& profile) {
 }
 
 CoverageCounts Draws::AMixture(const Scene& scene, const Profile& profile) {
-  CoverageCounts mixed(kSide, kSide);
-  for (std::size_t column = 0; column < kSide; ++column) {
-    CoverageCounts sum(kSide, kSide);
-    for (const CoverageCounts& one : AsCounts(ALegalDrawing(scene, profile))) sum += one;
-    for (std::size_t s = column; s < kSide * kSide; s += kSide) mixed.front[s] = sum.front[s];
+  const auto width = static_cast<std::size_t>(scene.width);
+  CoverageCounts mixed(scene.width, scene.height);
+  for (std::size_t column = 0; column < width; ++column) {
+    CoverageCounts sum(scene.width, scene.height);
+    for (const CoverageCounts& one : AsCounts(scene, ALegalDrawing(scene, profile))) sum += one;
+    for (std::size_t s = column; s < SamplesOf(scene); s += width) mixed.front[s] = sum.front[s];
   }
   return mixed;
+}
+
+CoverageCounts Draws::ANearMiss(const Scene& scene, const Profile& profile) {
+  CoverageCounts sum(scene.width, scene.height);
+  for (const CoverageCounts& one : AsCounts(scene, ALegalDrawing(scene, profile))) sum += one;
+  for (std::size_t k = 0; k <= Below(2); ++k) {
+    std::uint32_t& count = sum.front[Below(sum.size())];
+    count = count == 0 ? 1 : count - 1;
+  }
+  return sum;
 }
 
 }  // namespace rasterproof::legal::testing

@@ -17,7 +17,7 @@
 
 namespace rasterproof::legal::testing {
 
-/// The number of pixels on a side of every target.
+/// The number of pixels on a side of the targets of AScene().
 inline constexpr int kSide = 3;
 
 /// The vertices of a scene, where one model has them.
@@ -47,12 +47,11 @@ bool ExplainsAt(const Scene& scene, const Profile& profile, const CoverageCounts
                 const std::vector<std::size_t>& samples);
 
 /// Counts of each triangle.
-std::vector<CoverageCounts> AsCounts(const Drawn& drawn);
+std::vector<CoverageCounts> AsCounts(const Scene& scene, const Drawn& drawn);
 
 /// Whether the search says what the joint verdict says: no two vertices share a position, which the
-/// search moves apart, and where owners go by edge no legal model folds or flattens a pair, owners
-/// on whose common edge are not judged.
-bool IsJudgedAlike(const Scene& scene, const Profile& profile);
+/// search moves apart.
+bool IsJudgedAlike(const Scene& scene);
 
 /// Random scenes, profiles and legal drawings.
 class Draws {
@@ -62,11 +61,16 @@ class Draws {
 
   /// Two or three triangles around shared edges, their coordinates on eighths of a pixel.
   Scene AScene();
+  /// One triangle or two with a common edge, most of them flat or thinner than a step, on targets of
+  /// 2 to 5 pixels a side; coordinates on eighths of a pixel.
+  Scene AThinScene();
   Profile AProfile();
   /// What a random legal model draws, as a rule with random owners.
   Drawn ALegalDrawing(const Scene& scene, const Profile& profile);
   /// The sum of such drawings, a model for each column of samples.
   CoverageCounts AMixture(const Scene& scene, const Profile& profile);
+  /// Counts of a legal drawing but for one or two samples.
+  CoverageCounts ANearMiss(const Scene& scene, const Profile& profile);
 
  private:
   std::mt19937_64 bits_;

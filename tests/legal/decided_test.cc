@@ -85,7 +85,7 @@ TEST(DecidedSamples, AreTheCountsOfASearchThroughAllModels) {
   for (int n = 0; n < Cases(260); ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     const Decided samples = DecidedSamples(scene, {profile, scene});
     EXPECT_EQ(samples.bounded, 0U);
     ExpectAsIfAlone(samples, scene, profile);

@@ -41,14 +41,14 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForTrianglesDrawnAlone) {
   for (int n = 0; n < 400; ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     Drawn drawn = draws.ALegalDrawing(scene, profile);
     if (n % 2 == 0) {
       const std::size_t t = draws.Below(drawn.size());
       const std::size_t s = draws.Below(kSide * kSide);
       drawn[t][s] = !drawn[t][s];
     }
-    const std::vector<CoverageCounts> counts = AsCounts(drawn);
+    const std::vector<CoverageCounts> counts = AsCounts(scene, drawn);
     Observed observed;
     for (const CoverageCounts& one : counts) observed.alone.push_back(&one);
     const bool is_legal =
@@ -71,9 +71,10 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForCounts) {
   for (int n = 0; n < 400; ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     CoverageCounts sum(kSide, kSide);
-    for (const CoverageCounts& one : AsCounts(draws.ALegalDrawing(scene, profile))) sum += one;
+    for (const CoverageCounts& one : AsCounts(scene, draws.ALegalDrawing(scene, profile)))
+      sum += one;
     if (n % 2 == 0) {
       std::uint32_t& count = sum.front[draws.Below(kSide * kSide)];
       count = count == 0 || draws.Below(2) == 0 ? count + 1 : count - 1;
@@ -100,7 +101,7 @@ TEST(JointVerdict, EqualsASearchThroughAllModelsForIdsInNoOrder) {
   for (int n = 0; n < 400; ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     const Drawn drawn = draws.ALegalDrawing(scene, profile);
     std::vector<std::int32_t> ids(kSide * kSide, kNoPrimitive);
     for (std::size_t s = 0; s < ids.size(); ++s) {
@@ -151,7 +152,7 @@ TEST(JointVerdict, SidesOfALegalDrawingAreLegalAndOneTurnedIsNot) {
   for (int n = 0; n < Cases(600); ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     const Decided decided = DecidedSamples(scene, {profile, scene});
     const auto is_open = [](const TriangleDecided& one) { return one.facing == 0; };
     if (std::ranges::any_of(decided.triangles, is_open)) continue;
@@ -284,7 +285,7 @@ TEST(JointVerdict, ConvictsWhatEverySampleByItselfAcquits) {
   for (int n = 0; n < Cases(3000); ++n) {
     const Scene scene = draws.AScene();
     const Profile profile = draws.AProfile();
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     CoverageCounts mixed = draws.AMixture(scene, profile);
     const Decided decided = DecidedSamples(scene, {profile, scene});
     for (std::size_t s = 0; s < decided.counts.size(); ++s) {

@@ -30,7 +30,7 @@ TEST(Core, IsOneSampleThatNoModelHasOrAMinimalSetOverAllGrids) {
     const Scene scene = draws.AScene();
     Profile profile = draws.AProfile();
     if (n % 2 == 0) profile.freedom.least_bits = 0;
-    if (!IsJudgedAlike(scene, profile)) continue;
+    if (!IsJudgedAlike(scene)) continue;
     CoverageCounts mixed = draws.AMixture(scene, profile);
     if (n % 5 == 0) ++mixed.front[draws.Below(kSide * kSide)];
     Observed observed;

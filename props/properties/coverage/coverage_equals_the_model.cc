@@ -19,7 +19,7 @@ extern constinit const Property kCoverageEqualsTheModel{
     .required_by = kLegalModelClauses,
     .tolerance = kExact,
     .domains = kModelCoverage,
-    .gate = {.judges_shared_edge_samples = true, .asks_oracle = true},
+    .gate = {.judges_shared_edge_samples = true, .judges_degenerates = true, .asks_oracle = true},
     .ask = CompareWithTheModel,
     .blame = [](const PlacedCase& c, const Verdict& verdict,
                 const Description&) { return BlameTriangles(c, verdict, c.options); },

@@ -229,6 +229,7 @@ extern constinit const Property kOneLegalModelExplainsTheMesh{
              .contract = ContractNeeded::kWatertight,
              .any_model = true,
              .judges_clipped = true,
+             .judges_degenerates = true,
              .rules = one_legal_model_explains_the_mesh::kRules,
              .where = "clip space in front of the eye and on a grid"},
     .ask = one_legal_model_explains_the_mesh::Ask,

@@ -33,7 +33,7 @@ FixedStages WithBitsBy(std::string_view preset, std::function<int(const Scene&)>
 // Mesa's radeonsi has so many by the extent of the viewport; here it begins on small targets.
 int BitsByExtent(const Scene& scene) {
   const int extent = std::max(scene.width, scene.height);
-  return extent <= 12 ? 12 : extent <= 20 ? 10 : 8;
+  return extent <= 16 ? 12 : extent <= 24 ? 10 : 8;
 }
 
 // Down along one axis and up along the other.

@@ -50,7 +50,8 @@ constexpr std::size_t kCrowd = 64;
 
 struct Asked {
   Scene scene;
-  std::string what;  ///< "one triangle", for the message
+  std::string what;       ///< "triangle 0 alone", for the message
+  bool is_ruler = false;  ///< the whole of it, as it is
 };
 
 // Triangle t with three vertices and no other.
@@ -106,25 +107,32 @@ void AddForms(const Scene& scene, const std::string& whose, bool takes_crowd,
                                          std::to_string(kCrowd) + " small ones behind them"});
 }
 
+// Of a subject with its own transform only the places of the case's vertices can be asked for, and in
+// clip space and in fixed point not every place can be.
+bool TakesOtherPlaces(const PlacedCase& c) {
+  return !c.scene.clip_space && !c.profile.fixed && !c.before;
+}
+
 // The ruler's list is the first call, if there is one.
-std::vector<Asked> CallsOf(const PlacedCase& c, bool& has_ruler) {
+std::vector<Asked> CallsOf(const PlacedCase& c) {
   std::vector<Asked> asked;
-  has_ruler = false;
-  if (!c.scene.clip_space) {
+  if (TakesOtherPlaces(c)) {
     const GridRuler ruler =
         GridRulerOn(c.profile, c.scene.width, c.scene.height, c.scene.precision);
-    has_ruler = !ruler.seams.triangles.empty();
-    if (has_ruler) AddForms(ruler.seams, " of the grid's ruler", true, asked);
+    if (!ruler.seams.triangles.empty()) {
+      AddForms(ruler.seams, " of the grid's ruler", true, asked);
+      asked.front().is_ruler = true;
+    }
     for (const Scene& one : ruler.alone) asked.push_back({one, "one triangle of the grid's ruler"});
   }
   for (std::size_t t = 0; t < std::min(c.scene.triangles.size(), kMostDrawnAlone); ++t) {
     asked.push_back({AloneOf(c.scene, t), "triangle " + std::to_string(t) + " alone"});
   }
   if (!c.scene.triangles.empty()) {
-    AddForms(c.scene, " of the case", !c.scene.clip_space && !c.profile.fixed, asked);
+    AddForms(c.scene, " of the case", TakesOtherPlaces(c), asked);
   }
   std::erase_if(asked, [&](const Asked& one) {
-    return legal::WhyNotJoint(one.scene, c.profile).has_value();
+    return !WithinLimits(one.scene, c.profile) || legal::WhyNotJoint(one.scene, c.profile);
   });
   return asked;
 }
@@ -171,8 +179,8 @@ Verdict NoGrid(const std::vector<Asked>& asked, const legal::CallsVerdict& verdi
                            witness);
 }
 
-Verdict Judge(const PlacedCase& c, const std::vector<Asked>& asked, bool has_ruler,
-              const SubjectInfo& info, const Answers& answers) {
+Verdict Judge(const PlacedCase& c, const std::vector<Asked>& asked, const SubjectInfo& info,
+              const Answers& answers) {
   std::vector<legal::Call> calls;
   for (std::size_t k = 0; k < asked.size(); ++k) {
     calls.push_back({&asked[k].scene, ObservedOf(*answers.draws[k], info)});
@@ -194,7 +202,7 @@ Verdict Judge(const PlacedCase& c, const std::vector<Asked>& asked, bool has_rul
     held.not_judged = exercised;
     held.message = "a component of some call is too large to be judged";
   }
-  if (has_ruler) {
+  if (asked.front().is_ruler) {
     const std::vector<legal::Family> families = legal::FamiliesOf(c.profile, *calls.front().scene);
     held.grids = GridsOf(legal::ExplainingFamilies(calls.front(), c.profile), FinestOf(families));
   }
@@ -207,17 +215,15 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
     asked.otherwise.not_judged = DecisionsOf(c);
     return asked;
   }
-  bool has_ruler = false;
-  const auto asked = std::make_shared<const std::vector<Asked>>(CallsOf(c, has_ruler));
+  const auto asked = std::make_shared<const std::vector<Asked>>(CallsOf(c));
   if (asked->size() < 2) return NotExercised("there is one call, and nothing to compare it with");
   Questions questions;
   for (const Asked& one : *asked) {
     questions.draws.push_back(WholeCallOf(one.scene, c.profile, WholeTarget(c)));
   }
-  return OneCheck(std::move(questions),
-                  [&c, asked, has_ruler, &info = subject.info](const Answers& answers) {
-                    return Judge(c, *asked, has_ruler, info, answers);
-                  });
+  return OneCheck(std::move(questions), [&c, asked, &info = subject.info](const Answers& answers) {
+    return Judge(c, *asked, info, answers);
+  });
 }
 
 }  // namespace one_grid_explains_every_call

@@ -10,8 +10,8 @@
 namespace rasterproof::props {
 
 /// Seams on a target, each the left edge of a triangle, that tell grids apart, whichever way they
-/// round and whoever owns ties. No second triangle lies beyond a seam: with it every sample would be
-/// counted once, on whichever side of the seam it lies.
+/// round and whoever owns ties. No second triangle lies beyond a seam: with it every sample would
+/// be counted once, on whichever side of the seam it lies.
 ///
 /// A seam of k bits runs along a line of samples, each one column right of the last and three rows
 /// below it. Where the line meets whole rows its place is a third of a grid step from the nearest

@@ -107,8 +107,8 @@ void AddForms(const Scene& scene, const std::string& whose, bool takes_crowd,
                                          std::to_string(kCrowd) + " small ones behind them"});
 }
 
-// Of a subject with its own transform only the places of the case's vertices can be asked for, and in
-// clip space and in fixed point not every place can be.
+// Of a subject with its own transform only the places of the case's vertices can be asked for, and
+// in clip space and in fixed point not every place can be.
 bool TakesOtherPlaces(const PlacedCase& c) {
   return !c.scene.clip_space && !c.profile.fixed && !c.before;
 }

@@ -17,16 +17,16 @@
 #include "legal/joint.h"
 #include "model/target_profile.h"
 
-namespace rasterproof::legal {
+namespace rasterproof::legal::calls_test {
 namespace {
 
-constexpr int kSide = 6;
+constexpr int kTarget = 6;
 
 Scene AScene(std::mt19937& random, int triangles, int bits) {
   Scene scene;
-  scene.width = kSide;
-  scene.height = kSide;
-  std::uniform_int_distribution<int> place(0, kSide << bits);
+  scene.width = kTarget;
+  scene.height = kTarget;
+  std::uniform_int_distribution<int> place(0, kTarget << bits);
   for (int k = 0; k < 3 * triangles; ++k) {
     const double x = std::ldexp(place(random), -bits);
     const double y = std::ldexp(place(random), -bits);
@@ -76,7 +76,7 @@ TEST(Calls, HaveOneFamilyWhereOneExplainsEachOfThem) {
     const Scene b = AScene(random, 2, 4);
     const CoverageCounts of_a = DrawnWith(a, 1 + n % 3);
     const CoverageCounts of_b = DrawnWith(b, n % 2 == 0 ? 1 + n % 3 : 4);
-    const TargetProfile profile(AProfile(), kSide, kSide);
+    const TargetProfile profile(AProfile(), kTarget, kTarget);
     std::vector<Call> calls(2);
     calls[0].scene = &a;
     calls[0].observed.together = &of_a;
@@ -107,7 +107,7 @@ TEST(Calls, AreExplainedByTheFamiliesThatDoSoAlone) {
   for (int n = 0; n < 100; ++n) {
     const Scene scene = AScene(random, 2, 4);
     const CoverageCounts counts = DrawnWith(scene, 1 + n % 4);
-    const TargetProfile profile(AProfile(), kSide, kSide);
+    const TargetProfile profile(AProfile(), kTarget, kTarget);
     Call call{.scene = &scene, .observed = {}};
     call.observed.together = &counts;
     const std::vector<Family> explaining = ExplainingFamilies(call, profile);
@@ -120,4 +120,4 @@ TEST(Calls, AreExplainedByTheFamiliesThatDoSoAlone) {
 }
 
 }  // namespace
-}  // namespace rasterproof::legal
+}  // namespace rasterproof::legal::calls_test

@@ -20,7 +20,7 @@
 #include "tests/props/faulty_subjects.h"
 #include "tests/share.h"
 
-namespace rasterproof::props {
+namespace rasterproof::props::one_grid_test {
 namespace {
 
 const Property& OneGrid() { return *FindProperty("OneGridExplainsEveryCall"); }
@@ -141,4 +141,4 @@ TEST(GridsLeft, AreToldInWords) {
 }
 
 }  // namespace
-}  // namespace rasterproof::props
+}  // namespace rasterproof::props::one_grid_test

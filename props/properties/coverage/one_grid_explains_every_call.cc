@@ -36,7 +36,8 @@ namespace one_grid_explains_every_call {
 
 constexpr std::array kRules{
     ProfileRule{[](const Profile& p) { return p.freedom.least_bits && !p.snap.IsNone(); },
-                "a number of subpixel bits left open", "the profile states its number of bits"},
+                "a number of subpixel bits left open",
+                "the profile states its number of bits, or has no grid"},
     ProfileRule{[](const Profile& p) { return !MayChooseByCall(p); }, "equal draws that are equal",
                 "no clause says that equal draws are equal: every call may have a grid of its own"},
     kCountsTies, kSaysWhatSinglesCover, kStatesSamplePositions};

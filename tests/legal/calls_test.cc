@@ -20,7 +20,7 @@
 namespace rasterproof::legal::calls_test {
 namespace {
 
-constexpr int kTarget = 6;
+constexpr int kTarget = 12;
 
 Scene AScene(std::mt19937& random, int triangles, int bits) {
   Scene scene;
@@ -71,7 +71,7 @@ TEST(Calls, HaveOneFamilyWhereOneExplainsEachOfThem) {
   std::mt19937 random(5);
   int legal = 0;
   int illegal = 0;
-  for (int n = 0; n < 300; ++n) {
+  for (int n = 0; n < 400; ++n) {
     const Scene a = AScene(random, 2, 2 + n % 4);
     const Scene b = AScene(random, 2, 4);
     const CoverageCounts of_a = DrawnWith(a, 1 + n % 3);

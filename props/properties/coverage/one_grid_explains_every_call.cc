@@ -1,12 +1,13 @@
 // One legal grid explains every call on a target, whatever its triangles, their number and their
 // order.
 //
-// Each call may place its vertices by itself; the grid is one. Beside the case's own scene, whole
-// and in parts, calls draw a ruler (grid_ruler.h) that tells grids apart: the same scene for all
-// cases on targets of one size. So two cases whose grids differ cannot both hold, and what the
+// Each call may place its vertices by itself; the grid is one. Beside the case's own scene, in one of
+// five forms by turns, calls draw a ruler (grid_ruler.h) that tells grids apart: the same scene for
+// all cases on targets of one size. So two cases whose grids differ cannot both hold, and what the
 // ruler leaves of the grids is counted by target over the run.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -42,12 +43,14 @@ constexpr std::array kRules{
                 "no clause says that equal draws are equal: every call may have a grid of its own"},
     kCountsTies, kSaysWhatSinglesCover, kStatesSamplePositions};
 
-// Of the case's triangles, so many are drawn alone.
-constexpr std::size_t kMostDrawnAlone = 2;
-// Larger lists are drawn as they are, and no more.
+// Of longer lists no other form is drawn.
 constexpr std::size_t kMostInAList = 32;
+// The scene as it is, in a crowd, last first, with vertices of its own, and one triangle alone.
+constexpr std::size_t kForms = 5;
 // Small triangles behind the others of a call.
 constexpr std::size_t kCrowd = 64;
+// In one of so many cases all that the ruler leaves of the grids is worked out.
+constexpr std::size_t kCasesOfAMeasurement = 8;
 
 struct Asked {
   Scene scene;
@@ -64,6 +67,15 @@ Scene AloneOf(const Scene& scene, std::size_t t) {
     one.vertices.push_back(scene.vertices[static_cast<std::size_t>(index)]);
   }
   return one;
+}
+
+// Behind a vertex that no triangle uses, so that indices are others.
+Scene BehindAVertex(Scene scene) {
+  scene.vertices.insert(scene.vertices.begin(), scene.vertices.front());
+  for (Triangle& t : scene.triangles) {
+    for (std::int32_t& index : t) ++index;
+  }
+  return scene;
 }
 
 Scene UnindexedOf(const Scene& scene) {
@@ -93,19 +105,42 @@ Scene CrowdedOf(Scene scene) {
   return scene;
 }
 
-void AddForms(const Scene& scene, const std::string& whose, bool takes_crowd,
-              std::vector<Asked>& asked) {
-  const std::string number = std::to_string(scene.triangles.size());
-  asked.push_back({scene, number + " triangles" + whose});
-  if (scene.triangles.size() > kMostInAList) return;
-  if (scene.triangles.size() > 1) {
-    asked.push_back({ReversedOf(scene), number + " triangles" + whose + ", last first"});
-    asked.push_back({UnindexedOf(scene),
-                     number + " triangles" + whose + ", each with three vertices of its own"});
+// One call with triangles of the scene, in one form of five.
+Asked InAForm(const Scene& scene, std::size_t form, const std::string& whose, bool takes_others) {
+  const std::size_t count = scene.triangles.size();
+  const std::string what = std::to_string(count) + " triangles" + whose;
+  if (count > kMostInAList) return {scene, what};
+  switch (form % kForms) {
+    case 0:
+      if (!takes_others) break;
+      return {CrowdedOf(scene),
+              what + " and " + std::to_string(kCrowd) + " small ones behind them"};
+    case 1:
+      return {ReversedOf(scene), what + ", last first"};
+    case 2:
+      return {UnindexedOf(scene), what + ", each with three vertices of its own"};
+    case 3: {
+      const std::size_t t = form / kForms % count;
+      return {AloneOf(scene, t), "triangle " + std::to_string(t) + whose + ", alone"};
+    }
+    default:
+      break;
   }
-  if (!takes_crowd) return;
-  asked.push_back({CrowdedOf(scene), number + " triangles" + whose + " and " +
-                                         std::to_string(kCrowd) + " small ones behind them"});
+  return {scene, what};
+}
+
+// A number that the case's own bits decide, so that each form has its turn, in a replay the same.
+std::size_t TurnOf(const PlacedCase& c) {
+  std::uint64_t bits = c.scene.vertices.size();
+  const auto mix = [&](std::uint64_t more) {
+    bits = (bits ^ more) * 0x9e3779b97f4a7c15U;
+    bits ^= bits >> 32;
+  };
+  for (const Vertex& v : c.scene.vertices) {
+    mix(std::bit_cast<std::uint64_t>(v.x));
+    mix(std::bit_cast<std::uint64_t>(v.y));
+  }
+  return bits;
 }
 
 // Of a subject with its own transform only the places of the case's vertices can be asked for, and
@@ -116,21 +151,23 @@ bool TakesOtherPlaces(const PlacedCase& c) {
 
 // The ruler's list is the first call, if there is one.
 std::vector<Asked> CallsOf(const PlacedCase& c) {
+  const std::size_t turn = TurnOf(c);
+  const bool takes_others = TakesOtherPlaces(c);
   std::vector<Asked> asked;
-  if (TakesOtherPlaces(c)) {
+  if (takes_others) {
     const GridRuler ruler =
         GridRulerOn(c.profile, c.scene.width, c.scene.height, c.scene.precision);
     if (!ruler.seams.triangles.empty()) {
-      AddForms(ruler.seams, " of the grid's ruler", true, asked);
-      asked.front().is_ruler = true;
+      const std::string whose = " of the grid's ruler";
+      const std::string number = std::to_string(ruler.seams.triangles.size());
+      asked.push_back({ruler.seams, number + " triangles" + whose, true});
+      const Scene& one = ruler.alone[turn % ruler.alone.size()];
+      asked.push_back({turn / 4 % 2 == 0 ? one : BehindAVertex(one), "one triangle" + whose});
+      if (turn / 8 % 4 == 0) asked.push_back(InAForm(ruler.seams, turn / 32, whose, true));
     }
-    for (const Scene& one : ruler.alone) asked.push_back({one, "one triangle of the grid's ruler"});
-  }
-  for (std::size_t t = 0; t < std::min(c.scene.triangles.size(), kMostDrawnAlone); ++t) {
-    asked.push_back({AloneOf(c.scene, t), "triangle " + std::to_string(t) + " alone"});
   }
   if (!c.scene.triangles.empty()) {
-    AddForms(c.scene, " of the case", TakesOtherPlaces(c), asked);
+    asked.push_back(InAForm(c.scene, turn / 512, " of the case", takes_others));
   }
   std::erase_if(asked, [&](const Asked& one) {
     return !WithinLimits(one.scene, c.profile) || legal::WhyNotJoint(one.scene, c.profile);
@@ -203,7 +240,7 @@ Verdict Judge(const PlacedCase& c, const std::vector<Asked>& asked, const Subjec
     held.not_judged = exercised;
     held.message = "a component of some call is too large to be judged";
   }
-  if (asked.front().is_ruler) {
+  if (asked.front().is_ruler && TurnOf(c) % kCasesOfAMeasurement == 0) {
     const std::vector<legal::Family> families = legal::FamiliesOf(c.profile, *calls.front().scene);
     held.grids = GridsOf(legal::ExplainingFamilies(calls.front(), c.profile), FinestOf(families));
   }

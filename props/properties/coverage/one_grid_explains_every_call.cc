@@ -1,10 +1,10 @@
 // One legal grid explains every call on a target, whatever its triangles, their number and their
 // order.
 //
-// Each call may place its vertices by itself; the grid is one. Beside the case's own scene, in one of
-// five forms by turns, calls draw a ruler (grid_ruler.h) that tells grids apart: the same scene for
-// all cases on targets of one size. So two cases whose grids differ cannot both hold, and what the
-// ruler leaves of the grids is counted by target over the run.
+// Each call may place its vertices by itself; the grid is one. Beside the case's own scene, in one
+// of five forms by turns, calls draw a ruler (grid_ruler.h) that tells grids apart: the same scene
+// for all cases on targets of one size. So two cases whose grids differ cannot both hold, and what
+// the ruler leaves of the grids is counted by target over the run.
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -101,17 +101,16 @@ std::string GridText(const PropertyResult& result) {
     return "left of all grids: " + common.Text() + " subpixel bits, on targets of " + number +
            (result.grids.size() == 1 ? " size" : " sizes");
   }
-  constexpr std::size_t kMostTold = 4;
-  std::vector<const GridsOnTarget*> told;
-  for (const GridsOnTarget& grids : result.grids) {
-    const auto is_alike = [&](const GridsOnTarget* other) { return other->left == grids.left; };
-    if (told.size() < kMostTold && std::ranges::none_of(told, is_alike)) told.push_back(&grids);
-  }
-  std::string text = "no grid explains targets of all " + number +
-                     " sizes, and it is assumed that it may change with the size:";
-  for (const GridsOnTarget* grids : told) {
-    text += (grids == told.front() ? " " : ", ") + grids->left.Text() + " subpixel bits on " +
-            SizeOf(*grids);
+  const std::string text = "no grid explains targets of all " + number +
+                           " sizes, and it is assumed that it may change with the size";
+  for (const GridsOnTarget& one : result.grids) {
+    for (const GridsOnTarget& other : result.grids) {
+      GridsLeft both = one.left;
+      both.Intersect(other.left);
+      if (!both.IsEmpty()) continue;
+      return text + ": " + one.left.Text() + " subpixel bits on " + SizeOf(one) + ", " +
+             other.left.Text() + " on " + SizeOf(other);
+    }
   }
   return text;
 }

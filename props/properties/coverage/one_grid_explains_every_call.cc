@@ -105,10 +105,14 @@ Scene CrowdedOf(Scene scene) {
   return scene;
 }
 
+std::string Triangles(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " triangle" : " triangles");
+}
+
 // One call with triangles of the scene, in one form of five.
 Asked InAForm(const Scene& scene, std::size_t form, const std::string& whose, bool takes_others) {
   const std::size_t count = scene.triangles.size();
-  const std::string what = std::to_string(count) + " triangles" + whose;
+  const std::string what = Triangles(count) + whose;
   if (count > kMostInAList) return {scene, what};
   switch (form % kForms) {
     case 0:
@@ -159,8 +163,7 @@ std::vector<Asked> CallsOf(const PlacedCase& c) {
         GridRulerOn(c.profile, c.scene.width, c.scene.height, c.scene.precision);
     if (!ruler.seams.triangles.empty()) {
       const std::string whose = " of the grid's ruler";
-      const std::string number = std::to_string(ruler.seams.triangles.size());
-      asked.push_back({ruler.seams, number + " triangles" + whose, true});
+      asked.push_back({ruler.seams, Triangles(ruler.seams.triangles.size()) + whose, true});
       const Scene& one = ruler.alone[turn % ruler.alone.size()];
       asked.push_back({turn / 4 % 2 == 0 ? one : BehindAVertex(one), "one triangle" + whose});
       if (turn / 8 % 4 == 0) asked.push_back(InAForm(ruler.seams, turn / 32, whose, true));

@@ -227,7 +227,8 @@ Verdict Judge(const PlacedCase& c, const std::vector<Asked>& asked, const Subjec
     calls.push_back({&asked[k].scene, ObservedOf(*answers.draws[k], info)});
   }
   const legal::CallsVerdict together = legal::JudgeCalls(calls, c.profile);
-  const std::uint64_t exercised = DecisionsOf(c);
+  // Where no triangle of the case is near the target, two calls of the ruler are compared.
+  const std::uint64_t exercised = std::max<std::uint64_t>(1, DecisionsOf(c));
   if (together.legality == legal::Legality::kNotLegal) {
     Scene all = c.scene;
     for (const Asked& one : asked) {

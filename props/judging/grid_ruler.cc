@@ -19,7 +19,7 @@ constexpr int kMostSeams = 5;
 // Shorter seams pass too few samples, and longer ones show no more.
 constexpr int kFewestRows = 5;
 constexpr int kEnoughRows = 12;
-constexpr int kMostRows = 48;
+constexpr int kMostRowsOfASeam = 48;
 // The finest seam: float32 holds its ends on targets of up to kLargestSide.
 constexpr int kFinestSeam = 13;
 constexpr int kLargestSide = 1 << 10;
@@ -86,7 +86,7 @@ struct Room {
 Room RoomOn(int width, int height) {
   for (int seams = kMostSeams; seams > 0; --seams) {
     const int columns = width - 2 - kColumnsBetweenSeams * seams;
-    const int rows = std::min({height, kMostRows, kRowsOfAColumn * columns});
+    const int rows = std::min({height, kMostRowsOfASeam, kRowsOfAColumn * columns});
     if (rows >= std::min(height, kEnoughRows)) return {seams, rows};
   }
   return {1, std::min(height, kRowsOfAColumn * (width - 2 - kColumnsBetweenSeams))};

@@ -25,6 +25,7 @@ PropertyResult& PropertyResult::operator+=(const PropertyResult& next) {
   if (refused_within_limits == 0) why_refused = next.why_refused;
   AddCounters(kCaseCounters, next, *this);
   worst_ratio = std::max(worst_ratio, next.worst_ratio);
+  AddGrids(next.grids, grids);
   domains.resize(std::max(domains.size(), next.domains.size()));
   for (std::size_t d = 0; d < next.domains.size(); ++d) {
     domains[d].drawn += next.domains[d].drawn;

@@ -14,6 +14,7 @@
 #include "core/case.h"
 #include "core/counters.h"
 #include "core/coverage.h"
+#include "core/grids_left.h"
 #include "core/verdict.h"
 
 namespace rasterproof {
@@ -79,6 +80,8 @@ struct PropertyResult {
   // Cases in which the subject showed the side of this area as the front, where either is legal.
   std::uint64_t positive_fronts = 0;
   std::uint64_t negative_fronts = 0;
+  /// Where the profile leaves the grid open, and the property observes it.
+  std::vector<GridsOnTarget> grids;
   std::vector<DomainCounts> domains;        ///< none of a world
   std::uint64_t not_applicable = 0;         ///< cases that the property did not apply to
   std::string why_not;                      ///< the first reason

@@ -11,6 +11,7 @@
 
 #include "core/case.h"
 #include "core/coverage.h"
+#include "core/grids_left.h"
 
 namespace rasterproof {
 
@@ -62,6 +63,9 @@ struct Verdict {
   /// The sign of the area of the side that the subject shows as its front, if the profile leaves
   /// that open and the property observes it.
   std::optional<int> front_sign = std::nullopt;
+  /// The grids that explain what the subject drew, if the profile leaves the grid open and the
+  /// property observes it.
+  std::optional<GridsLeft> grids = std::nullopt;
 
   static Verdict NotApplicable(std::string why) {
     return {Outcome::kNotApplicable, 0, 0, std::move(why), std::nullopt};

@@ -186,6 +186,86 @@ std::vector<int> SidesOf(const Scene& scene, const TargetProfile& profile,
   return sides;
 }
 
+// What one call says of the families, each asked once at most.
+class CallByFamily {
+ public:
+  CallByFamily(const Call& call, const TargetProfile& profile, const std::vector<Family>& families,
+               const Effort& effort)
+      : profile_(&profile),
+        families_(&families),
+        effort_(&effort),
+        call_(call),
+        known_(families.size()) {
+    if (call_.observed.sides != Sides::kNotCompared) {
+      call_.observed.side_of = SidesOf(*call_.scene, profile, families);
+    }
+  }
+
+  Legality By(std::size_t family) {
+    if (!known_[family]) {
+      std::vector<Seen> refutation;
+      known_[family] = JudgeByFamily(*call_.scene, *profile_, call_.observed, (*families_)[family],
+                                     *effort_, refutation)
+                           .legality;
+    }
+    return *known_[family];
+  }
+
+  std::vector<bool> Possible() {
+    std::vector<bool> possible;
+    for (std::size_t f = 0; f < known_.size(); ++f)
+      possible.push_back(By(f) != Legality::kNotLegal);
+    return possible;
+  }
+
+ private:
+  const TargetProfile* profile_;
+  const std::vector<Family>* families_;
+  const Effort* effort_;
+  Call call_;
+  std::vector<std::optional<Legality>> known_;
+};
+
+// Families of all vertices of the calls.
+std::vector<Family> FamiliesOfCalls(const std::vector<Call>& calls, const TargetProfile& profile) {
+  Scene all = *calls.front().scene;
+  for (std::size_t k = 1; k < calls.size(); ++k) {
+    const std::vector<Vertex>& more = calls[k].scene->vertices;
+    all.vertices.insert(all.vertices.end(), more.begin(), more.end());
+  }
+  return FamiliesOf(profile, all);
+}
+
+std::vector<bool> Common(std::vector<bool> set, const std::vector<bool>& others) {
+  for (std::size_t f = 0; f < set.size(); ++f) set[f] = set[f] && others[f];
+  return set;
+}
+
+bool IsEmpty(const std::vector<bool>& set) { return std::ranges::find(set, true) == set.end(); }
+
+// Calls without a common family: one, two, or as many as are left of all once each was tried
+// without.
+std::vector<std::size_t> ConflictOf(const std::vector<std::vector<bool>>& possible) {
+  for (std::size_t a = 0; a < possible.size(); ++a) {
+    if (IsEmpty(possible[a])) return {a};
+  }
+  for (std::size_t b = 0; b < possible.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      if (IsEmpty(Common(possible[a], possible[b]))) return {a, b};
+    }
+  }
+  std::vector<std::size_t> left(possible.size());
+  std::iota(left.begin(), left.end(), std::size_t{0});
+  for (std::size_t k = left.size(); k-- > 0;) {
+    std::vector<std::size_t> without = left;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+    std::vector<bool> common(possible.front().size(), true);
+    for (const std::size_t call : without) common = Common(common, possible[call]);
+    if (IsEmpty(common)) left = std::move(without);
+  }
+  return left;
+}
+
 // More places on an axis than this, and a vertex has hundreds.
 constexpr double kMostSteps = 4;
 
@@ -250,6 +330,50 @@ JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile, cons
   if (verdict.legality == Legality::kNotLegal)
     verdict.core = MinimalSet(scene, profile, observed, refutations, effort);
   return verdict;
+}
+
+CallsVerdict JudgeCalls(const std::vector<Call>& calls, const TargetProfile& profile,
+                        const Effort& effort) {
+  const std::vector<Family> families = FamiliesOfCalls(calls, profile);
+  std::vector<CallByFamily> judged;
+  for (const Call& call : calls) judged.emplace_back(call, profile, families, effort);
+  std::vector<std::size_t> order(calls.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  bool may_be_legal = false;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    bool is_given_up = false;
+    const auto refuting = std::ranges::find_if(order, [&](std::size_t k) {
+      const Legality legality = judged[k].By(f);
+      is_given_up = is_given_up || legality == Legality::kNotJudged;
+      return legality == Legality::kNotLegal;
+    });
+    if (refuting == order.end() && !is_given_up) return {.family = families[f]};
+    if (refuting == order.end()) may_be_legal = true;
+    if (refuting != order.end()) std::rotate(order.begin(), refuting, refuting + 1);
+  }
+  if (may_be_legal) return {.legality = Legality::kNotJudged};
+  CallsVerdict verdict{.legality = Legality::kNotLegal};
+  std::vector<std::vector<bool>> possible;
+  for (CallByFamily& call : judged) {
+    possible.push_back(call.Possible());
+    std::vector<Family>& explaining = verdict.explaining.emplace_back();
+    for (std::size_t f = 0; f < families.size(); ++f) {
+      if (possible.back()[f]) explaining.push_back(families[f]);
+    }
+  }
+  verdict.conflict = ConflictOf(possible);
+  return verdict;
+}
+
+std::vector<Family> ExplainingFamilies(const Call& call, const TargetProfile& profile,
+                                       const Effort& effort) {
+  const std::vector<Family> families = FamiliesOf(profile, *call.scene);
+  CallByFamily judged(call, profile, families, effort);
+  std::vector<Family> explaining;
+  for (std::size_t f = 0; f < families.size(); ++f) {
+    if (judged.By(f) != Legality::kNotLegal) explaining.push_back(families[f]);
+  }
+  return explaining;
 }
 
 }  // namespace rasterproof::legal

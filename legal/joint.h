@@ -150,6 +150,42 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
 JointVerdict JudgeJointly(const Scene& scene, const TargetProfile& profile,
                           const Observed& observed, const Effort& effort = {});
 
+/// One of several calls: its scene, and what is known of the drawing.
+struct Call {
+  const Scene* scene = nullptr;
+  Observed observed;
+};
+
+/// Of several calls of one rasterizer on one target.
+struct CallsVerdict {
+  Legality legality = Legality::kLegal;
+  Family family = {};  ///< one that explains every call, if legal
+  /// If not legal: by call, the families that explain it, or may where a component was given up.
+  std::vector<std::vector<Family>> explaining = {};
+  /// If not legal: the fewest calls that were found to have no family in common. One: no family
+  /// explains it.
+  std::vector<std::size_t> conflict = {};
+};
+
+/// Returns whether one family, a grid and a tie rule, explains every call.
+///
+/// Each call has places and owners of its own: only what is chosen once for a rasterizer is common.
+/// The families are those of all vertices together, so that a grid that is finer than one call's
+/// coordinates, and there equal to no grid, is still told from others by another call. They are
+/// tried in their order, and each call by each family once at most. The call that refuted the last
+/// family is asked first: where the first family explains all, that is one question a call.
+///
+/// Domain:     for each call, that of JudgeJointly(); all of one space. At least one call.
+/// Returns:    kNotJudged if no family explains every call, and some may, were nothing given up.
+/// Cost:       JudgeJointly's, times the calls; if not legal, times the families. Nothing is kept.
+CallsVerdict JudgeCalls(const std::vector<Call>& calls, const TargetProfile& profile,
+                        const Effort& effort = {});
+
+/// Returns the families of the profile that explain the call, or may where a component was given
+/// up, in the order of FamiliesOf().
+std::vector<Family> ExplainingFamilies(const Call& call, const TargetProfile& profile,
+                                       const Effort& effort = {});
+
 }  // namespace rasterproof::legal
 
 #endif  // RASTERPROOF_LEGAL_JOINT_H_

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/grids_left.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "report/grounds.h"
@@ -41,6 +42,22 @@ void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
   json.EndObject();
 }
 
+// What is left of the grids that the profile allows, by the kind of target.
+void WriteGrids(JsonWriter& json, const std::vector<GridsOnTarget>& list) {
+  json.Key("grids_left").BeginArray();
+  for (const GridsOnTarget& grids : list) {
+    json.BeginObject();
+    json.Key("width").Integer(static_cast<std::uint64_t>(grids.width));
+    json.Key("height").Integer(static_cast<std::uint64_t>(grids.height));
+    json.Key("samples").Integer(static_cast<std::uint64_t>(grids.samples));
+    json.Key("space").Text(grids.clip_space ? "clip" : "window");
+    json.Key("cases").Integer(grids.cases);
+    json.Key("subpixel_bits").Text(grids.left.Text());
+    json.EndObject();
+  }
+  json.EndArray();
+}
+
 void WriteTested(JsonWriter& json, const Certificate& certificate, const PropertyResult& result) {
   json.BeginObject();
   json.Key("property").Text(result.property);
@@ -66,6 +83,7 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
     json.Key(kCasePlaces[p]).Integer(result.places[p].asked - result.places[p].refused);
   }
   json.EndObject();
+  if (!result.grids.empty()) WriteGrids(json, result.grids);
   if (result.counterexample) WriteCounterexample(json, certificate, result);
   json.EndObject();
 }

@@ -30,7 +30,7 @@ namespace {
 using io::JsonValue;
 using report::JsonWriter;
 
-constexpr int kPartVersion = 4;
+constexpr int kPartVersion = 5;
 
 constexpr std::array<std::pair<End, std::string_view>, 4> kEnds{
     {{End::kAllRun, "all run"},
@@ -47,6 +47,18 @@ void WriteSums(JsonWriter& json, const PropertyResult& sums) {
   json.Key("worst_ratio").Exact(sums.worst_ratio);
   json.Key("why_not").Text(sums.why_not);
   json.Key("why_refused").Text(sums.why_refused);
+  json.Key("grids").BeginArray();
+  for (const GridsOnTarget& grids : sums.grids) {
+    json.BeginObject();
+    json.Key("width").Integer(static_cast<std::uint64_t>(grids.width));
+    json.Key("height").Integer(static_cast<std::uint64_t>(grids.height));
+    json.Key("samples").Integer(static_cast<std::uint64_t>(grids.samples));
+    json.Key("clip_space").Integer(std::uint64_t{grids.clip_space});
+    json.Key("cases").Integer(grids.cases);
+    json.Key("left").Integer(grids.left.set());
+    json.EndObject();
+  }
+  json.EndArray();
   json.Key("domains").BeginArray();
   for (const DomainCounts& domain : sums.domains) {
     json.BeginObject();
@@ -124,6 +136,14 @@ void ReadSums(const JsonValue& object, PropertyResult& sums) {
   sums.worst_ratio = ExactOf(object.Get("worst_ratio"));
   sums.why_not = TextOf(object.Get("why_not"));
   sums.why_refused = TextOf(object.Get("why_refused"));
+  for (const JsonValue grids : object.Get("grids").RequireArray()) {
+    sums.grids.push_back({.width = IntegerOf<int>(grids.Get("width")),
+                          .height = IntegerOf<int>(grids.Get("height")),
+                          .samples = IntegerOf<int>(grids.Get("samples")),
+                          .clip_space = grids.Get("clip_space").RequireInteger(0, 1) == 1,
+                          .cases = IntegerOf<std::uint64_t>(grids.Get("cases")),
+                          .left = GridsLeft(IntegerOf<std::uint64_t>(grids.Get("left")))});
+  }
   for (const JsonValue domain : object.Get("domains").RequireArray()) {
     DomainCounts& counts = sums.domains.emplace_back();
     counts.drawn = IntegerOf<std::uint64_t>(domain.Get("drawn"));

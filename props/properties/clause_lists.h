@@ -16,6 +16,10 @@ inline constexpr auto kLegalModelClauses = std::to_array<std::string_view>(
     {"gl.point-sampling", "gl.subpixel-bits", "gl.common-edge", "vulkan.point-sampling",
      "vulkan.subpixel-bits", "vulkan.common-edge", "d3d11.snap-tolerance", "d3d11.eight-bits",
      "d3d11.top-left", "d3d11.two-edges", "webgpu.point-sampling"});
+// A device has one grid: calls that no grid explains together break the first, and a call that none
+// explains by itself one of both.
+inline constexpr auto kOneGridClauses = std::to_array<std::string_view>(
+    {"gl.subpixel-bits", "gl.point-sampling", "vulkan.subpixel-bits", "vulkan.point-sampling"});
 // Who has a sample on an edge, and what is required of all others: a drawing that no legal model
 // explains breaks one of the two.
 inline constexpr auto kEdgeOwnerClauses = std::to_array<std::string_view>(

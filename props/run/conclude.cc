@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/clauses/clauses.h"
+#include "core/grids_left.h"
 #include "core/profile.h"
 #include "core/vertex.h"
 #include "props/authority.h"
@@ -73,6 +75,44 @@ std::string FrontText(const PropertyResult& result) {
   }
   if (result.negative_fronts != 0) return "front is the side of negative area, for all triangles";
   return result.positive_fronts == 0 ? "" : "front is the side of positive area, for all triangles";
+}
+
+std::string SizeOf(const GridsOnTarget& grids) {
+  return std::to_string(grids.width) + " x " + std::to_string(grids.height);
+}
+
+// The same scene on the same target, and no grid explains what each case saw of it.
+std::string ChangedGridText(const PropertyResult& result) {
+  const auto changed = std::ranges::find_if(
+      result.grids, [](const GridsOnTarget& grids) { return grids.left.IsEmpty(); });
+  if (changed == result.grids.end()) return "";
+  return "the subject changes its answer: of " + std::to_string(changed->cases) +
+         " cases on targets of " + SizeOf(*changed) +
+         " each shows a grid, and no grid is shown by all";
+}
+
+// The grids that are left, of all targets or by the size of target.
+std::string GridText(const PropertyResult& result) {
+  if (result.grids.empty()) return "";
+  GridsLeft common = result.grids.front().left;
+  for (const GridsOnTarget& grids : result.grids) common.Intersect(grids.left);
+  const std::string number = std::to_string(result.grids.size());
+  if (!common.IsEmpty()) {
+    return "left of all grids: " + common.Text() + " subpixel bits, on targets of " + number +
+           (result.grids.size() == 1 ? " size" : " sizes");
+  }
+  const std::string text = "no grid explains targets of all " + number +
+                           " sizes, and it is assumed that it may change with the size";
+  for (const GridsOnTarget& one : result.grids) {
+    for (const GridsOnTarget& other : result.grids) {
+      GridsLeft both = one.left;
+      both.Intersect(other.left);
+      if (!both.IsEmpty()) continue;
+      return text + ": " + one.left.Text() + " subpixel bits on " + SizeOf(one) + ", " +
+             other.left.Text() + " on " + SizeOf(other);
+    }
+  }
+  return text;
 }
 
 std::string DeadDomains(const SubjectInfo& info, const Property& property,
@@ -166,6 +206,9 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
                                         "; the first refusal: " + result.why_refused};
   }
   if (ChangesItsFront(result)) return {Outcome::kInconclusive, FrontText(result)};
+  if (std::string changed = ChangedGridText(result); !changed.empty()) {
+    return {Outcome::kInconclusive, std::move(changed)};
+  }
   const std::string dead = DeadDomains(info, property, result);
   const std::string missed = NotReached(info, property, result);
   if (dead.empty() && !missed.empty()) return {Outcome::kInconclusive, missed};
@@ -178,6 +221,7 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
   }
   if (result.cases_refused != 0) said.message = "holds where it did not refuse: " + SoFar(result);
   AddSentence(said.message, FrontText(result));
+  AddSentence(said.message, GridText(result));
   return said;
 }
 
@@ -231,6 +275,16 @@ void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict, Proper
     DomainCounts& domain = result.domains[number % result.domains.size()];
     ++domain.drawn;
     domain.near_edge += evidence.near_edge;
+  }
+  if (verdict.grids) {
+    const Scene& scene = c.scene;
+    AddGrids({{.width = scene.width,
+               .height = scene.height,
+               .samples = c.profile.pattern.samples(),
+               .clip_space = scene.clip_space,
+               .cases = 1,
+               .left = *verdict.grids}},
+             result.grids);
   }
   const bool is_refused = verdict.outcome == Outcome::kRefused && WithinLimits(c.scene, c.profile);
   if (is_refused && result.refused_within_limits++ == 0) result.why_refused = verdict.message;

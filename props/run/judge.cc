@@ -106,6 +106,7 @@ void CaseJudge::Take(Answers answers) {
   sum_.not_judged += verdict.not_judged;
   sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);
   if (!sum_.front_sign) sum_.front_sign = verdict.front_sign;
+  if (!sum_.grids) sum_.grids = verdict.grids;
   if (sum_.message.empty()) sum_.message = verdict.message;
   if (verdict.outcome == Outcome::kViolated) {
     verdict.exercised = sum_.exercised;

@@ -56,6 +56,7 @@ std::vector<Mutant> ContractMutants();    // fixed-point input, target sizes, ex
 std::vector<Mutant> SquareMutants();      // whole pixels
 std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
 std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
+std::vector<Mutant> GridMutants();        // grids that change, under the legal sets of APIs
 std::vector<Mutant> FacingMutants();      // facing, under the legal sets of APIs
 std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
@@ -74,6 +75,7 @@ std::vector<Mutant> WidthVariants();
 std::vector<Mutant> SquareVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs
+std::vector<Mutant> GridVariants();      // grids that change, of the legal sets of APIs
 std::vector<Mutant> FacingVariants();    // facing, of the legal sets of APIs
 std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> CentroidVariants();  // those that show centroids

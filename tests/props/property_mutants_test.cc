@@ -80,6 +80,7 @@ constexpr Row kRows[] = {
     {"NeighboursAreClippedAlike", "mutant:clip-drops-by-first"},
     {"OneCallDrawsLikeItsTriangles", "mutant:many-lost"},
     {"OneCallDrawsLikeItsTriangles", "mutant:ids-from-the-end"},
+    {"OneGridExplainsEveryCall", "mutant:vulkan-grid-by-list"},
     {"OneLegalModelExplainsTheMesh", "mutant:free-two-places"},
     {"OneLegalModelExplainsTheMesh", "mutant:free-rules-mixed"},
     {"OneLegalModelExplainsTheMesh", "mutant:samples-one-reused"},

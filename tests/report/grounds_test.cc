@@ -59,9 +59,10 @@ TEST(Grounds, TheCertificateNamesAuthorityAndClauses) {
   EXPECT_EQ(json["tested"][1]["authority"], "clause");
   EXPECT_EQ(json["tested"][1]["required_by"][0], "vulkan.common-edge");
   EXPECT_EQ(json["quality_fails"], false);
-  ASSERT_EQ(json["assumed"].size(), 2U);
+  ASSERT_EQ(json["assumed"].size(), 3U);
   EXPECT_EQ(json["assumed"][0]["statement"], "vulkan.one-position");
-  EXPECT_EQ(json["assumed"][1]["statement"], "vulkan.clip-point");
+  EXPECT_EQ(json["assumed"][1]["statement"], "vulkan.one-grid");
+  EXPECT_EQ(json["assumed"][2]["statement"], "vulkan.clip-point");
 }
 
 TEST(Grounds, AModelAssumesNothing) {

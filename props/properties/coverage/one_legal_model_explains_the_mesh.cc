@@ -22,6 +22,7 @@
 #include "exact/coverage.h"
 #include "legal/joint.h"
 #include "props/judging/as_shown.h"
+#include "props/judging/observed_call.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
@@ -179,22 +180,10 @@ Check OfEachAlone(const PlacedCase& c) {
 Check OfOneCall(const PlacedCase& c, const Description& subject) {
   Check check;
   check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, WholeTarget(c)));
-  const CoverageKind kind = subject.info.coverage;
-  const bool last = subject.info.fragments.visible == Visible::kLastDrawn;
-  check.judge = [&c, kind, last](const Answers& answers) {
+  check.judge = [&c, &info = subject.info](const Answers& answers) {
     const Drawing& drawing = *answers.draws[0];
-    legal::Observed observed;
-    observed.last_is_visible = last;
-    if (kind == CoverageKind::kFacingCounts || kind == CoverageKind::kCounts) {
-      observed.together = &drawing.counts;
-    } else if (!drawing.primitive_ids.empty()) {
-      observed.primitive_ids = &drawing.primitive_ids;
-    } else {
-      observed.together = &drawing.counts;
-      observed.is_mask = true;
-    }
     return VerdictOf(c, drawing.counts, DecisionsOf(c),
-                     legal::JudgeJointly(c.scene, c.profile, observed));
+                     legal::JudgeJointly(c.scene, c.profile, ObservedOf(drawing, info)));
   };
   return check;
 }

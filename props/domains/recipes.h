@@ -57,6 +57,9 @@ Case FarSides(BitSource& bits, const SubjectInfo& info);
 Case Folds(BitSource& bits, const SubjectInfo& info);
 Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
 
+// recipes_turned.cc: what the stated snap turns over.
+Case TurnedBySnap(BitSource& bits, const SubjectInfo& info);
+
 // recipes_lists.cc
 Case NearRepeats(BitSource& bits, const SubjectInfo& info);
 Case SparseIndices(BitSource& bits, const SubjectInfo& info);

@@ -56,6 +56,7 @@ FORBIDDEN = {
     "vulkan-17-bits": ("d3d11", JOINT, 100),
     "vulkan-23-bits": ("d3d11", JOINT, 100),
     "vulkan-facing-4-bits": ("vulkan-canonical", MODEL, 200),
+    "vulkan-facing-of-input": ("vulkan-canonical", MODEL, 200),
     "vulkan-facing-clipped": ("vulkan-canonical", MODEL, 200),
     "vulkan-facing-exchanged": ("vulkan-canonical", MODEL, 200),
     "vulkan-clips-to-target": ("vulkan-canonical", MODEL, 200),

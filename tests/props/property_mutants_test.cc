@@ -126,6 +126,14 @@ constexpr Row kRows[] = {
     {"EarlierScenesLeaveNoTrace", "mutant:vulkan-kept-by-sixteenths"},
     {"EqualDrawsGiveEqualCounts", "mutant:target-every-third-draw"},
     {"NewVerticesGiveNewCoverage", "mutant:vulkan-kept-by-pixels"},
+    {"NewVerticesGiveNewCoverage", "mutant:vulkan-kept-by-first"},
+    {"NewVerticesGiveNewCoverage", "mutant:gl-kept-by-first"},
+    {"EarlierScenesLeaveNoTrace", "mutant:vulkan-kept-by-first"},
+    {"PredecessorsKeepCoverage", "mutant:vulkan-trace-of-non-finite"},
+    {"PredecessorsKeepCoverage", "mutant:gl-trace-of-refusal"},
+    {"PredecessorsKeepCoverage", "mutant:vulkan-trace-of-flat"},
+    {"PredecessorsKeepCoverage", "mutant:d3d11-trace-of-far"},
+    {"PredecessorsKeepCoverage", "mutant:gl-trace-of-many"},
     {"NonFiniteTrianglesCoverNothing", "mutant:nan-as-zero"},
 };
 

@@ -25,7 +25,8 @@ MAY = "SquaresOutsideTheMayRegionStayFree"
 NO_INFINITIES = {"name": "no-infinities", "subpixel_bits": 8, "infinite_vertex": "nothing"}
 # Sound twins of a mutant: no set forbids them.
 TWINS = {"vulkan-kept-by-all", "vulkan-fragments-snapped", "vulkan-fragments-given",
-         "vulkan-fragments-unstated", "gl-fragments-unstated"}  # fmt: skip
+         "vulkan-fragments-unstated", "gl-fragments-unstated", "vulkan-refuses-non-finite",
+         "gl-refuses-non-finite"}  # fmt: skip
 # variant: the set that forbids it, the property that finds it, and in how many cases at most
 FORBIDDEN = {
     "vulkan-4-bits": ("d3d11", JOINT, 60),

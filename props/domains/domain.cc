@@ -26,7 +26,7 @@ bool SnapsItsInput(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 90;
+constexpr std::uint16_t kNextNumber = 94;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -460,6 +460,22 @@ constexpr std::array kDomains{
            .summary = "triangles that the snap turns over, and that cover a sample once it has",
            .is_stated = SnapsItsInput,
            .draw = TurnedBySnap},
+    Domain{.number = 90,
+           .name = "far-corners",
+           .summary = "pairs with corners beside every power of two up to the stated limit",
+           .mesh = true,
+           // Each power of two is a place where a path may begin.
+           .in_a_round = 4,
+           .draw = FarCorners},
+    Domain{.number = 91,
+           .name = "aliased-indices",
+           .summary = "vertices that agree in 8 or 16 bits of their index, and in a coordinate",
+           .draw = AliasedIndices},
+    Domain{.number = 93,
+           .name = "least-w",
+           .summary = "one w or all so small that its reciprocal overflows, places on the target",
+           .clip = true,
+           .draw = LeastW},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

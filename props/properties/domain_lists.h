@@ -116,7 +116,8 @@ inline constexpr auto kModelCoverage = Both(
                                                 "tessellation-cracks",  "soups",
                                                 "coplanar-depths",      "every-lane",
                                                 "far-tile-corners",     "pattern-lines",
-                                                "turned-by-snap"}));
+                                                "turned-by-snap",       "far-corners",
+                                                "aliased-indices"}));
 
 // Where a single draw can show the wrong side.
 inline constexpr auto kFacings =
@@ -140,13 +141,13 @@ inline constexpr auto kMeshes = std::to_array<std::string_view>(
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls =
-    Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane"}));
+    Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane", "aliased-indices"}));
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
 inline constexpr auto kMeshesAnySpace = Both(
     kMeshes,
     std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides",
-                                     "tilted-grids", "earcut-meshes", "cameras"}));
+                                     "tilted-grids", "earcut-meshes", "cameras", "far-corners"}));
 
 // Meshes of a few triangles and of many, in window and clip space.
 inline constexpr auto kLists = std::to_array<std::string_view>(
@@ -200,7 +201,7 @@ inline constexpr auto kClosedClip =
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "one-vertex-behind", "hardest-rays", "closed-around-eye",
      "near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
-     "needles", "grids", "mixed-magnitude", "cameras"});
+     "needles", "grids", "mixed-magnitude", "cameras", "least-w"});
 
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
@@ -211,7 +212,7 @@ inline constexpr auto kClipped = std::to_array<std::string_view>(
 // Vertices that a tolerance lets snap either way, meshes first.
 inline constexpr auto kFreeSnaps =
     std::to_array<std::string_view>({"shared-snap-ties", "snap-ties", "shared-edge", "fans",
-                                     "folds"});
+                                     "folds", "far-corners", "aliased-indices"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

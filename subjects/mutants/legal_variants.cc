@@ -148,7 +148,7 @@ std::vector<Mutant> LegalVariants() {
   std::vector<Mutant> table = TieRules();
   for (const auto more : {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants,
                           ScanlineVariants, SquareVariants, ContractVariants, FreeVariants,
-                          SetVariants, FacingVariants, HistoryVariants, SampleVariants,
+                          SetVariants, FacingVariants, FarVariants, HistoryVariants, SampleVariants,
                           CentroidVariants, FragmentVariants, WidthVariants, ListVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }

@@ -57,6 +57,7 @@ std::vector<Mutant> SquareMutants();      // whole pixels
 std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
 std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
 std::vector<Mutant> FacingMutants();      // facing, under the legal sets of APIs
+std::vector<Mutant> FarMutants();         // large coordinates, under legal sets
 std::vector<Mutant> HistoryMutants();     // what a scene leaves for the next, under legal sets
 std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
@@ -76,6 +77,7 @@ std::vector<Mutant> SquareVariants();
 std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs
 std::vector<Mutant> FacingVariants();    // facing, of the legal sets of APIs
+std::vector<Mutant> FarVariants();       // large coordinates
 std::vector<Mutant> HistoryVariants();   // that refuse a scene, and draw the next
 std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> CentroidVariants();  // those that show centroids

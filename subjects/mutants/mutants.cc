@@ -34,7 +34,8 @@ std::vector<Row> MakeRows() {
         mutants::CrowdMutants,     mutants::RealMutants,     mutants::TransformMutants,
         mutants::ScanlineMutants,  mutants::MapMutants,      mutants::ShownValueMutants,
         mutants::ContractMutants,  mutants::FreeMutants,     mutants::SquareMutants,
-        mutants::SetMutants,       mutants::FacingMutants,   mutants::HistoryMutants,   mutants::SampleMutants,   mutants::CentroidMutants,
+        mutants::SetMutants,       mutants::FacingMutants,   mutants::FarMutants,
+        mutants::HistoryMutants,   mutants::SampleMutants,   mutants::CentroidMutants,
         mutants::FragmentMutants,  mutants::WidthMutants,    mutants::ModeMutants,
         mutants::ListMutants}) {
     add(table(), "mutant:", false, false);

@@ -226,7 +226,8 @@ TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
                                             "off-grid-fragments",
                                             "equal-after-snap",
                                             "scaled-viewports",
-                                            "turned-by-snap"};
+                                            "turned-by-snap",
+                                            "far-corners"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {

@@ -27,6 +27,9 @@ struct Check {
   std::function<Verdict(const Answers&)> judge;
   /// Draws of earlier checks that it reads, numbered from 0 over all draws of the case.
   std::vector<std::size_t> bases = {};
+  /// Of its own draws, in a check of Company::kInOrderAlone, those that the subject may refuse or
+  /// may not be given: the answer is a drawing without counts, and the draws after it are made.
+  std::vector<std::size_t> may_be_refused = {};
 };
 
 /// What a property asks about a case.

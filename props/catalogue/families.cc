@@ -26,11 +26,11 @@ constexpr auto kThin =
 constexpr auto kMagnitudes = std::to_array<std::string_view>(
     {"offset-cancellation", "subnormal", "product-overflow", "underflowing-products",
      "largest-and-smallest", "mixed-magnitude", "coordinate-limits", "range-ends", "far-sides",
-     "far-negative-corners", "wrapped-coordinates", "primitive-extent-ends", "guard-band-ends",
-     "accumulator-ends"});
+     "far-corners", "far-negative-corners", "wrapped-coordinates", "primitive-extent-ends",
+     "guard-band-ends", "accumulator-ends"});
 constexpr auto kSnapping = std::to_array<std::string_view>(
     {"snap-ties", "deciding-snap-ties", "shared-snap-ties", "off-grid-moves", "off-grid-fragments",
-     "folds", "closed-folds", "equal-after-snap", "scaled-viewports"});
+     "folds", "closed-folds", "equal-after-snap", "scaled-viewports", "turned-by-snap"});
 constexpr auto kNothing = std::to_array<std::string_view>(
     {"degenerate", "signed-zeros", "non-finite", "non-finite-depths"});
 constexpr auto kMeshes = std::to_array<std::string_view>(
@@ -38,13 +38,14 @@ constexpr auto kMeshes = std::to_array<std::string_view>(
      "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids", "rounded-arrangements",
      "earcut-meshes", "frame-sweeps", "tessellation-cracks", "soups"});
 constexpr auto kCalls = std::to_array<std::string_view>(
-    {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "many-triangles",
-     "crowds", "every-lane", "tile-borders", "far-tile-corners", "coplanar-depths"});
+    {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "aliased-indices",
+     "many-triangles", "crowds", "every-lane", "tile-borders", "far-tile-corners",
+     "coplanar-depths"});
 constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "closed-around-eye", "one-vertex-behind", "hardest-rays",
-     "perspective-meshes", "meshes-around-eye", "cameras"});
+     "perspective-meshes", "meshes-around-eye", "cameras", "least-w"});
 
 constexpr auto kGroups = std::to_array<Group>({
     {{"ordinary", "It covers the samples that exact geometry covers."}, kOrdinary},

@@ -17,10 +17,16 @@ bool LeavesGridPoints(const Profile& profile) {
          profile.contract == Contract::kClosed;
 }
 
+// Whether coordinates lie between the grid's points.
+bool SnapsItsInput(const Profile& profile) {
+  const Snap& snap = profile.snap;
+  return !snap.IsNone() && (!profile.fixed || profile.fixed->fraction_bits > snap.bits);
+}
+
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 89;
+constexpr std::uint16_t kNextNumber = 94;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -449,6 +455,27 @@ constexpr std::array kDomains{
            .mesh = true,
            .is_stated = [](const Profile& p) { return p.pattern.samples() > 1; },
            .draw = PatternLines},
+    Domain{.number = 89,
+           .name = "turned-by-snap",
+           .summary = "triangles that the snap turns over, and that cover a sample once it has",
+           .is_stated = SnapsItsInput,
+           .draw = TurnedBySnap},
+    Domain{.number = 90,
+           .name = "far-corners",
+           .summary = "pairs with corners beside every power of two up to the stated limit",
+           .mesh = true,
+           // Each power of two is a place where a path may begin.
+           .in_a_round = 4,
+           .draw = FarCorners},
+    Domain{.number = 91,
+           .name = "aliased-indices",
+           .summary = "vertices that agree in 8 or 16 bits of their index, and in a coordinate",
+           .draw = AliasedIndices},
+    Domain{.number = 93,
+           .name = "least-w",
+           .summary = "one w or all so small that its reciprocal overflows, places on the target",
+           .clip = true,
+           .draw = LeastW},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);
@@ -456,27 +483,5 @@ static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNex
 }  // namespace
 
 std::span<const Domain> Domains() { return kDomains; }
-
-const Domain* FindDomain(std::string_view name) {
-  const auto found = std::ranges::find(kDomains, name, &Domain::name);
-  return found == kDomains.end() ? nullptr : &*found;
-}
-
-const Domain* DomainOfNumber(std::uint16_t number) {
-  const auto found = std::ranges::find(kDomains, number, &Domain::number);
-  return found == kDomains.end() ? nullptr : &*found;
-}
-
-bool Suits(const Domain& domain, const SubjectInfo& info) {
-  if (domain.is_stated != nullptr && !domain.is_stated(info.profile)) return false;
-  if (info.profile.fixed && domain.non_finite) return false;
-  // A transform of its own says nothing of what lies behind the eye; that of a map takes none.
-  if (info.profile.transform && (info.takes_clip || info.profile.transform->map))
-    return !domain.clip;
-  if (!PlacesClipSpace(info.profile) || StatesGuardBand(info.profile)) {
-    return !domain.clip && info.takes_window;
-  }
-  return domain.clip ? info.takes_clip : info.takes_window || info.takes_clip;
-}
 
 }  // namespace rasterproof::props

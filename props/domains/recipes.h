@@ -50,6 +50,12 @@ Case FullCoverage(BitSource& bits, const SubjectInfo& info);
 /// Triangles in which the snapping of one vertex decides a sample.
 void AddDecidingTies(CaseBuilder& builder);
 
+// recipes_least_w.cc
+Case LeastW(BitSource& bits, const SubjectInfo& info);
+
+// recipes_far_corners.cc
+Case FarCorners(BitSource& bits, const SubjectInfo& info);
+
 // recipes_far_sides.cc
 Case FarSides(BitSource& bits, const SubjectInfo& info);
 
@@ -57,9 +63,13 @@ Case FarSides(BitSource& bits, const SubjectInfo& info);
 Case Folds(BitSource& bits, const SubjectInfo& info);
 Case ClosedFolds(BitSource& bits, const SubjectInfo& info);
 
+// recipes_turned.cc: what the stated snap turns over.
+Case TurnedBySnap(BitSource& bits, const SubjectInfo& info);
+
 // recipes_lists.cc
 Case NearRepeats(BitSource& bits, const SubjectInfo& info);
 Case SparseIndices(BitSource& bits, const SubjectInfo& info);
+Case AliasedIndices(BitSource& bits, const SubjectInfo& info);
 
 // recipes_crowds.cc: what only many triangles show.
 Case LongLists(BitSource& bits, const SubjectInfo& info);

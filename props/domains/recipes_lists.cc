@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -41,6 +42,16 @@ void ChangeCoordinate(CaseBuilder& builder, ListedCorner& corner) {
 
 void Write(CaseBuilder& builder, const TriangleCorners& v) {
   builder.AddTriangle(v[0].index, v[1].index, v[2].index);
+}
+
+// A corner for an index that agrees with that of `base` in its low bits: half of the time it agrees
+// in a coordinate, too.
+Point2 BesideIn(CaseBuilder& builder, Point2 base) {
+  const std::int64_t kind = builder.bits().Int(0, 3);
+  const Point2 other = builder.Place();
+  if (kind == 0) return {base.x, other.y};
+  if (kind == 1) return {other.x, base.y};
+  return kind == 2 ? Point2{base.y, base.x} : other;
 }
 
 }  // namespace
@@ -86,6 +97,27 @@ Case SparseIndices(BitSource& bits, const SubjectInfo& info) {
     builder.AddTriangle(v[0], v[1], v[2]);
     for (std::int32_t unused = 3; unused < stride && t + 1 < triangles; ++unused) {
       builder.Add(between);
+    }
+  }
+  return builder.Done(Finish::kAnyOrder);
+}
+
+Case AliasedIndices(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  const bool is_long = bits.Chance(24);
+  const std::int32_t stride = is_long ? 1 << 16 : 1 << 8;
+  const std::int64_t triangles = is_long ? 2 : bits.Int(2, 6);
+  std::array<Point2, 3> corners{};
+  for (Point2& p : corners) p = builder.Place();
+  for (std::int64_t t = 0; t < triangles; ++t) {
+    std::array<std::int32_t, 3> v{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (t != 0) corners[k] = BesideIn(builder, corners[k]);
+      v[k] = builder.Add(corners[k]);
+    }
+    builder.AddTriangle(v[0], v[1], v[2]);
+    for (std::int32_t unused = 3; unused < stride && t + 1 < triangles; ++unused) {
+      builder.Add(corners[0]);
     }
   }
   return builder.Done(Finish::kAnyOrder);

@@ -1,8 +1,10 @@
 #include "props/judging/moved_scenes.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "core/coverage.h"
@@ -73,16 +75,33 @@ MovedScenes::MovedScenes(const PlacedCase& c, const legal::Sight& sight)
 std::vector<MovedScene> MovedScenes::ByOneVertex() const {
   std::vector<MovedScene> scenes;
   for (const MoveLength& length : LengthsOf(c_.profile)) {
-    if (auto moved = FirstThatDiffers(length.pixels, length.words)) {
+    const Triangle& first = c_.scene.triangles.front();
+    if (auto moved = FirstThatDiffers(first, length.pixels, length.words)) {
       scenes.push_back(*std::move(moved));
     }
   }
   return scenes;
 }
 
-std::optional<MovedScene> MovedScenes::FirstThatDiffers(double pixels, const char* words) const {
-  for (std::size_t k = 0; k < 3; ++k) {
-    const auto vertex = static_cast<std::size_t>(c_.scene.triangles.front()[k]);
+std::optional<MovedScene> MovedScenes::BehindTheFirst() const {
+  const Triangle& first = c_.scene.triangles.front();
+  const auto behind = std::ranges::find_if(c_.scene.triangles, [&](const Triangle& t) {
+    return std::ranges::none_of(t,
+                                [&](std::int32_t v) { return std::ranges::count(first, v) != 0; });
+  });
+  if (behind == c_.scene.triangles.end()) return std::nullopt;
+  for (const double pixels : {1.0, 4.0}) {
+    if (auto moved = FirstThatDiffers(*behind, pixels, pixels == 1 ? "a pixel" : "four pixels")) {
+      return moved;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<MovedScene> MovedScenes::FirstThatDiffers(const Triangle& triangle, double pixels,
+                                                        const char* words) const {
+  for (const std::int32_t index : triangle) {
+    const auto vertex = static_cast<std::size_t>(index);
     for (double Vertex::* const axis : {&Vertex::x, &Vertex::y}) {
       for (const double sign : {1.0, -1.0}) {
         Scene moved = c_.scene;

@@ -34,11 +34,15 @@ class MovedScenes {
   /// For each of three distances, from small to large, the first move of one vertex of the first
   /// triangle that counts, if any does.
   std::vector<MovedScene> ByOneVertex() const;
+  /// The first move that counts, if any does, of one vertex of the first triangle that shares none
+  /// with triangle 0: size, indices and triangle 0 stay.
+  std::optional<MovedScene> BehindTheFirst() const;
   /// Other vertices under the same indices, as many: x and y exchanged, or the list turned round.
   std::optional<MovedScene> OtherContent() const;
 
  private:
-  std::optional<MovedScene> FirstThatDiffers(double pixels, const char* words) const;
+  std::optional<MovedScene> FirstThatDiffers(const Triangle& triangle, double pixels,
+                                             const char* words) const;
   std::optional<MovedScene> IfItDiffers(Scene scene, const std::string& change) const;
 
   const PlacedCase& c_;

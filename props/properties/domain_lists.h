@@ -115,13 +115,23 @@ inline constexpr auto kModelCoverage = Both(
                                                 "earcut-meshes",        "scaled-viewports",
                                                 "tessellation-cracks",  "soups",
                                                 "coplanar-depths",      "every-lane",
-                                                "far-tile-corners",     "pattern-lines"}));
+                                                "far-tile-corners",     "pattern-lines",
+                                                "turned-by-snap",       "far-corners",
+                                                "aliased-indices"}));
+
+// Where a single draw can show the wrong side.
+inline constexpr auto kFacings =
+    Both(kCoverage, std::to_array<std::string_view>({"turned-by-snap"}));
 
 // The hard places of window space, and clip space.
 inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
     {"near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
      "caps", "needles", "vertex-orders", "grids", "mixed-magnitude", "product-overflow",
      "perspective", "mixed-w"});
+
+// The same, and what only the snap gives its side.
+inline constexpr auto kFacingsAnySpace =
+    Both(kCoverageAnySpace, std::to_array<std::string_view>({"turned-by-snap"}));
 
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(
@@ -131,13 +141,13 @@ inline constexpr auto kMeshes = std::to_array<std::string_view>(
 
 // Calls of several triangles, and of many kinds of them.
 inline constexpr auto kCalls =
-    Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane"}));
+    Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane", "aliased-indices"}));
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
-inline constexpr auto kMeshesAnySpace =
-    Both(kMeshes,
-         std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides",
-                                          "tilted-grids", "earcut-meshes", "cameras"}));
+inline constexpr auto kMeshesAnySpace = Both(
+    kMeshes,
+    std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides",
+                                     "tilted-grids", "earcut-meshes", "cameras", "far-corners"}));
 
 // Meshes of a few triangles and of many, in window and clip space.
 inline constexpr auto kLists = std::to_array<std::string_view>(
@@ -175,6 +185,10 @@ inline constexpr auto kAnyMesh = std::to_array<std::string_view>({"shared-edge",
                                                                   "soups",
                                                                   "coplanar-depths"});
 
+// The same, and what the snap turns over.
+inline constexpr auto kAnyMeshAndTurned =
+    Both(kAnyMesh, std::to_array<std::string_view>({"turned-by-snap"}));
+
 // Closed surfaces.
 inline constexpr auto kClosed =
     std::to_array<std::string_view>({"closed-mesh", "closed-folds", "rounded-arrangements"});
@@ -187,7 +201,7 @@ inline constexpr auto kClosedClip =
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "one-vertex-behind", "hardest-rays", "closed-around-eye",
      "near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
-     "needles", "grids", "mixed-magnitude", "cameras"});
+     "needles", "grids", "mixed-magnitude", "cameras", "least-w"});
 
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
@@ -197,7 +211,8 @@ inline constexpr auto kClipped = std::to_array<std::string_view>(
 
 // Vertices that a tolerance lets snap either way, meshes first, and triangles that it flattens.
 inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(
-    {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds", "degenerate", "least-areas"});
+    {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds", "far-corners",
+     "aliased-indices", "degenerate", "least-areas"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

@@ -108,18 +108,29 @@ class Submission {
     if (!in_order) return false;
     Answers& answers = answers_[r];
     std::shared_ptr<const Drawing> last;
-    for (const DrawQuestion& question : questions.draws) {
-      answers.stopped_at = static_cast<std::size_t>(&question - questions.draws.data());
-      const std::optional<DrawJob> job = GivenOf(r, question.job, answers.end);
-      if (!job) return true;
+    for (std::size_t k = 0; k < questions.draws.size(); ++k) {
+      const DrawQuestion& question = questions.draws[k];
+      answers.stopped_at = k;
       auto drawing = std::make_shared<Drawing>();
-      answers.end = DrawInOrder(r, question, *job, last.get(), *drawing);
-      if (answers.end.stop != Stop::kNone) return true;
+      if (const auto job = GivenOf(r, question.job, answers.end)) {
+        answers.end = DrawInOrder(r, question, *job, last.get(), *drawing);
+      }
+      if (EndsTheCall(answers.end.stop) ||
+          (answers.end.stop != Stop::kNone && !MayBeRefused(r, k))) {
+        return true;
+      }
+      if (answers.end.stop != Stop::kNone) *drawing = Drawing();
+      answers.end = {};
       last = drawing;
       answers.draws.push_back(std::move(drawing));
     }
     answers.stopped_at.reset();
     return true;
+  }
+
+  bool MayBeRefused(std::size_t r, std::size_t draw) const {
+    const std::vector<std::size_t>& those = requests_[r].check->may_be_refused;
+    return std::ranges::find(those, draw) != those.end();
   }
 
   CallEnd DrawInOrder(std::size_t r, const DrawQuestion& question, const DrawJob& job,

@@ -137,6 +137,34 @@ FixedStages CullingTheOtherSide(std::string_view preset) {
   return stages;
 }
 
+// Twice the area of the triangle that is drawn, before its vertices snap, in square pixels.
+thread_local double given_area = 0;
+
+void NoteArea(std::array<Vertex, 3>& v) {
+  given_area = (v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[2].y - v[0].y) * (v[1].x - v[0].x);
+}
+
+FixedStages FacingBeforeTheSnap(FixedStages stages) {
+  stages.vertices = NoteArea;
+  stages.facing = [](GridTriangle& t) {
+    if (given_area != 0) t.front = given_area > 0;
+  };
+  return stages;
+}
+
+// Counts are on the side that the triangle has after the snap.
+FixedStages CullingBeforeTheSnap(FixedStages stages) {
+  stages.vertices = NoteArea;
+  stages.options = [](DrawOptions& options, const Scene&) {
+    call.cull = std::exchange(options.cull, Cull::kNone);
+  };
+  stages.box = [](PixelRect& box, const GridTriangle& t, const Scene&) {
+    const bool front = given_area == 0 ? t.front : given_area > 0;
+    if (call.cull == (front ? Cull::kFront : Cull::kBack)) box = {0, 0, 0, 0};
+  };
+  return stages;
+}
+
 }  // namespace
 
 std::vector<Mutant> FacingVariants() {
@@ -156,6 +184,8 @@ std::vector<Mutant> FacingVariants() {
               })},
       {"vulkan-facing-clipped", "facing is that of the polygon clipped to the target", "",
        OfTheClippedPolygon("vulkan")},
+      {"vulkan-facing-of-input", "facing is that of the vertices as given", "",
+       FacingBeforeTheSnap(StagesOfPreset("vulkan"))},
       {"d3d11-facing-clipped", "facing is that of the polygon clipped to the target", "",
        OfTheClippedPolygon("d3d11")},
   };
@@ -163,6 +193,14 @@ std::vector<Mutant> FacingVariants() {
 
 std::vector<Mutant> FacingMutants() {
   return {
+      {"facing-of-input", "facing is the sign of the area before the snap", "",
+       FacingBeforeTheSnap({})},
+      {"culls-of-input", "triangles are culled by the area before the snap",
+       "D3D11.3 culls after it", CullingBeforeTheSnap({})},
+      {"d3d11-facing-of-input", "facing is the sign of the area before the snap", "",
+       FacingBeforeTheSnap(StagesOfPreset("d3d11"))},
+      {"d3d11-culls-of-input", "triangles are culled by the area before the snap", "",
+       CullingBeforeTheSnap(StagesOfPreset("d3d11"))},
       {"vulkan-facing-by-hash", "a hash of its vertices decides which side a triangle shows", "",
        Facing("vulkan", [](GridTriangle& t) { t.front = CoinOf(t); })},
       {"d3d11-facing-by-hash", "a hash of its vertices decides which side a triangle shows", "",

@@ -147,9 +147,10 @@ std::vector<Mutant> OtherBases() {
 std::vector<Mutant> LegalVariants() {
   std::vector<Mutant> table = TieRules();
   for (const auto more :
-       {Snaps, Samples, Freedoms, OtherBases, TransformVariants, MapVariants, ScanlineVariants,
-        SquareVariants, ContractVariants, FreeVariants, SetVariants, GridVariants, FacingVariants,
-        SampleVariants, CentroidVariants, FragmentVariants, WidthVariants, ListVariants}) {
+       {Snaps,          Samples,          Freedoms,         OtherBases,       TransformVariants,
+        MapVariants,    ScanlineVariants, SquareVariants,   ContractVariants, FreeVariants,
+        SetVariants,    GridVariants,     FacingVariants,   FarVariants,      HistoryVariants,
+        SampleVariants, CentroidVariants, FragmentVariants, WidthVariants,    ListVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

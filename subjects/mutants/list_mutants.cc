@@ -1,9 +1,13 @@
-// Bugs that only lists of more than 2^16 triangles show: ids, counts and offsets of few bits.
+// Bugs of numbers of few bits: ids, counts and offsets, which lists of more than 2^16 triangles
+// show, and indices.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +41,30 @@ FixedStages IndicesByOffsets(int bits) {
           .vertices = [triangle](std::array<Vertex, 3>& v) { v = *triangle; }};
 }
 
+// The triangle that is drawn. It is thread-local because the stages of all subjects made of one row
+// are copies.
+thread_local std::array<Vertex, 3> found_triangle;
+
+// Vertices that are found again by these bits of their index, and by x where `by_x` says so.
+FixedStages FindingVerticesBy(std::string_view preset, int bits, bool by_x) {
+  FixedStages stages = StagesOfPreset(preset);
+  using Key = std::pair<std::size_t, double>;
+  stages.drops = [bits, by_x, kept = std::map<Key, Vertex>()](const Scene& scene,
+                                                              std::size_t number) mutable {
+    if (number == 0) kept.clear();
+    found_triangle = Corners(scene, scene.triangles[number]);
+    if (!std::ranges::all_of(found_triangle, IsFinite)) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto index = static_cast<std::size_t>(scene.triangles[number][k]);
+      Vertex& v = found_triangle[k];
+      v = kept.try_emplace(Key{CutTo(index, bits), by_x ? v.x : 0}, v).first->second;
+    }
+    return false;
+  };
+  stages.vertices = [](std::array<Vertex, 3>& v) { v = found_triangle; };
+  return stages;
+}
+
 }  // namespace
 
 std::vector<Mutant> ListMutants() {
@@ -57,6 +85,10 @@ std::vector<Mutant> ListMutants() {
                          return number >= CutTo(scene.triangles.size(), kListBits);
                        }}},
       {"list-offsets-of-19-bits", "byte offsets of indices keep 19 bits", "", IndicesByOffsets(19)},
+      {"vulkan-vertices-by-16-bits", "vertices are found again by 16 bits of their index", "",
+       FindingVerticesBy("vulkan", 16, false)},
+      {"gl-vertices-by-8-bits-and-x", "vertices are found again by 8 bits of their index and x", "",
+       FindingVerticesBy("gl", 8, true)},
   };
 }
 

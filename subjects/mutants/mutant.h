@@ -58,6 +58,8 @@ std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
 std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
 std::vector<Mutant> GridMutants();        // grids that change, under the legal sets of APIs
 std::vector<Mutant> FacingMutants();      // facing, under the legal sets of APIs
+std::vector<Mutant> FarMutants();         // large coordinates, under legal sets
+std::vector<Mutant> HistoryMutants();     // what a scene leaves for the next, under legal sets
 std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
 std::vector<Mutant> ModeMutants();        // the caller's floating-point mode
@@ -77,6 +79,8 @@ std::vector<Mutant> FreeVariants();      // those that take the worst of what is
 std::vector<Mutant> SetVariants();       // of the legal sets of APIs
 std::vector<Mutant> GridVariants();      // grids that change, of the legal sets of APIs
 std::vector<Mutant> FacingVariants();    // facing, of the legal sets of APIs
+std::vector<Mutant> FarVariants();       // large coordinates
+std::vector<Mutant> HistoryVariants();   // that refuse a scene, and draw the next
 std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> CentroidVariants();  // those that show centroids
 std::vector<Mutant> FragmentVariants();  // those that show fragments in float32

@@ -35,8 +35,9 @@ std::vector<Row> MakeRows() {
         mutants::ScanlineMutants,  mutants::MapMutants,      mutants::ShownValueMutants,
         mutants::ContractMutants,  mutants::FreeMutants,     mutants::SquareMutants,
         mutants::SetMutants,       mutants::GridMutants,     mutants::FacingMutants,
-        mutants::SampleMutants,    mutants::CentroidMutants, mutants::FragmentMutants,
-        mutants::WidthMutants,     mutants::ModeMutants,     mutants::ListMutants}) {
+        mutants::FarMutants,       mutants::HistoryMutants,  mutants::SampleMutants,
+        mutants::CentroidMutants,  mutants::FragmentMutants, mutants::WidthMutants,
+        mutants::ModeMutants,      mutants::ListMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);

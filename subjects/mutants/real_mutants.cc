@@ -208,6 +208,13 @@ std::vector<Mutant> RealClips() {
              v, [](const Vertex& p) { return std::fabs(p.w) < 0x1p-20 && p.w != 0; });
          return near ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
        })},
+      {"clip-reciprocal-overflows", "a triangle with a w whose reciprocal overflows is dropped", "",
+       Becoming([](const ClipTriangle& v) {
+         const bool overflows = std::ranges::any_of(v, [](const Vertex& p) {
+           return p.w != 0 && std::isinf(1 / static_cast<float>(p.w));
+         });
+         return overflows ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
+       })},
       {"clip-zero-w", "w = 0 is taken for 1", "", Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = p.w == 0 ? 1 : p.w; })};
        })},

@@ -108,8 +108,8 @@ std::vector<Mutant> Facings() {
                          const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
                          return area > 0 ? area : 0;
                        }}},
-      {"facing-of-input", "facing and zero area are decided before snapping",
-       "D3D11.3 culls after it",
+      {"flat-of-input", "a triangle without area before the snap is left out",
+       "D3D11.3 decides it after it",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {
                          const std::array<Vertex, 3> v = Corners(scene, scene.triangles[number]);

@@ -61,8 +61,8 @@ class Draws {
 
   /// Two or three triangles around shared edges, their coordinates on eighths of a pixel.
   Scene AScene();
-  /// One triangle or two with a common edge, most of them flat or thinner than a step, on targets of
-  /// 2 to 5 pixels a side; coordinates on eighths of a pixel.
+  /// One triangle or two with a common edge, most of them flat or thinner than a step, on targets
+  /// of 2 to 5 pixels a side; coordinates on eighths of a pixel.
   Scene AThinScene();
   Profile AProfile();
   /// What a random legal model draws, as a rule with random owners.

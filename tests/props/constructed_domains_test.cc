@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "core/coverage.h"
 #include "core/sample_pattern.h"
+#include "core/snap.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
@@ -90,6 +92,51 @@ TEST(PatternLines, PassSeveralPlacesOfThePatternInOneEdgeThatTwoTrianglesShare) 
       EXPECT_GE(of_two_places, 70) << samples;
       EXPECT_GE(of_six_samples, 35) << samples;
     }
+  }
+}
+
+// Whether the triangle's area changes its sign by the snap, and it covers a sample after that.
+bool TurnsAndCovers(const Case& c, std::size_t t) {
+  const std::array<Point2, 3> given = PlacesOf(c.scene, c.scene.triangles[t]);
+  std::array<Point2, 3> snapped = given;
+  for (Point2& p : snapped) {
+    p = {SnapCoordinate(p.x, c.profile.snap), SnapCoordinate(p.y, c.profile.snap)};
+  }
+  const int facing = exact::Facing(snapped);
+  if (facing == 0 || exact::Facing(given) != -facing) return false;
+  Scene alone = c.scene;
+  alone.triangles = {c.scene.triangles[t]};
+  const CoverageCounts counts = exact::Coverage(alone, c.profile);
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts.Count(k) != 0) return true;
+  }
+  return false;
+}
+
+int CasesThatTurnAndCover(std::string_view domain, const SubjectInfo& info) {
+  int cases = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed(domain, info, i);
+    bool found = false;
+    for (std::size_t t = 0; t < c.scene.triangles.size() && !found; ++t) {
+      found = TurnsAndCovers(c, t);
+    }
+    cases += found ? 1 : 0;
+  }
+  return cases;
+}
+
+TEST(TurnedBySnap, CoversASampleOfTheSideThatItHadNotBeforeTheSnap) {
+  EXPECT_FALSE(Suits(*FindDomain("turned-by-snap"), RealInfo()));
+  for (const int bits : {1, 4, 8, 16}) {
+    for (const SnapRule rule : {SnapRule::kNearestEven, SnapRule::kFloor, SnapRule::kTruncate}) {
+      SubjectInfo info = SnappedInfo(bits);
+      info.profile.snap.rule = rule;
+      EXPECT_GE(CasesThatTurnAndCover("turned-by-snap", info), 100) << bits << " bits";
+    }
+  }
+  for (const std::string_view before : {"least-areas", "equal-after-snap"}) {
+    EXPECT_EQ(CasesThatTurnAndCover(before, SnappedInfo(8)), 0) << before;
   }
 }
 

@@ -226,6 +226,10 @@ constexpr auto kGolden = std::to_array<Golden>({
     {86, "every-lane", 0x2792612688570953},
     {87, "far-tile-corners", 0x1b676092fe08e0ae},
     {88, "pattern-lines", 0xe99927507394bffd},
+    {89, "turned-by-snap", 0x9e56e5bf5d724cf9},
+    {90, "far-corners", 0x6300680f30d05176},
+    {91, "aliased-indices", 0xb897b7c8653ed4d8},
+    {93, "least-w", 0xd7427ce52bb2e7d0},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

@@ -225,7 +225,9 @@ TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
                                             "off-grid-moves",
                                             "off-grid-fragments",
                                             "equal-after-snap",
-                                            "scaled-viewports"};
+                                            "scaled-viewports",
+                                            "turned-by-snap",
+                                            "far-corners"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {

@@ -11,11 +11,13 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "core/profile.h"
 #include "core/vertex.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "props/run/trial.h"
 #include "subjects/mutants/mutants.h"
 
 namespace rasterproof::props {
@@ -54,6 +56,25 @@ TEST(LegalTriangle, IsOpenWhereLegalPlacesOrClippingMayTurnIt) {
   // Broad, but a sliver of it is inside the target.
   EXPECT_EQ(InVulkan(OnEight({7.9375, 0, 0, 1}, {20, 0, 0, 1}, {7.9375, 9, 0, 1})).facing(), 0);
   EXPECT_NE(InVulkan(OnEight({7, 0, 0, 1}, {20, 0, 0, 1}, {7, 9, 0, 1})).facing(), 0);
+}
+
+// The snap to eight bits turns it over, and it covers a sample: its side is the one after the snap
+// where the law leaves no other place, and either where it does.
+TEST(LegalTriangle, FacesAsItDoesAfterTheSnapWhereThatIsTheOnlyLegalPlace) {
+  const Scene scene = OnEight({0x1.24b91p+2, 0x1.9427c2p-1}, {0x1.9332f2p+2, 0x1.0ea6e8p+1},
+                              {0x1.7a5c98p+2, 0x1.d0a5c4p+0});
+  EXPECT_EQ(InVulkan(scene).facing(), 0);
+  Case c;
+  c.scene = scene;
+  c.profile = *PresetProfile("d3d11-canonical");
+  EXPECT_EQ(LegalTriangle(PlacedCase(c), scene.triangles[0]).facing(), -1);
+  for (const auto& [name, outcome] : {std::pair{"mutant:facing-of-input", Outcome::kViolated},
+                                      std::pair{"mutant:flat-of-input", Outcome::kHolds}}) {
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
+    c.profile = subject->Info().profile;
+    const Property& property = *FindProperty("FacingIsOneAtAllSamples");
+    EXPECT_EQ(TryCase(*subject, property, c).verdict.outcome, outcome) << name;
+  }
 }
 
 // From x to the target's right edge, grown by a step, the strip is as thick as the limit of four

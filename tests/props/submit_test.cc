@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/call_end.h"
@@ -66,6 +68,44 @@ TEST(Questions, ThatCantBePutHideNoCrashOfTheirBase) {
   EXPECT_EQ(crashed.end.stop, Stop::kBrokeDown);
   EXPECT_EQ(crashed.end.why, "it crashed");
   EXPECT_TRUE(crashed.draws.empty());
+}
+
+// Refuses a scene of `refuses` vertices, and covers every sample of the others.
+FakeSubject Refusing(std::size_t refuses) {
+  return {testing::RealInfo(), [=](const Scene& scene, const DrawOptions&, CoverageCounts& counts) {
+            if (scene.vertices.size() == refuses) throw SubjectStop(Stop::kRefused, "it is odd");
+            for (std::uint32_t& count : counts.front) ++count;
+          }};
+}
+
+Answers AskedInOrder(Subject& subject, std::vector<std::size_t> may_be_refused) {
+  Check check;
+  check.questions.company = Company::kInOrderAlone;
+  for (const Case& c : {Blank(8, 8, 3), Blank(8, 8, 4), Blank(8, 8, 3)}) {
+    check.questions.draws.push_back(WholeCallOf(c.scene, c.profile, c.options));
+  }
+  check.may_be_refused = std::move(may_be_refused);
+  const PlacedCase placed = Place(Blank(8, 8, 3), false);
+  const std::vector<std::shared_ptr<const Drawing>> drawn;
+  const Request request{&placed, &check, &drawn};
+  return Submit(subject, {&request, 1}).front();
+}
+
+TEST(Questions, BehindOneThatMayBeRefusedArePut) {
+  FakeSubject subject = Refusing(4);
+  EXPECT_EQ(AskedInOrder(subject, {}).end.stop, Stop::kRefused);
+  const Answers answers = AskedInOrder(subject, {1});
+  EXPECT_EQ(answers.end.stop, Stop::kNone);
+  ASSERT_EQ(answers.draws.size(), 3U);
+  EXPECT_EQ(answers.draws[0]->counts.Count(0), 1U);
+  EXPECT_EQ(answers.draws[1]->counts.size(), 0U);
+  EXPECT_EQ(answers.draws[2]->counts.Count(0), 1U);
+}
+
+TEST(Questions, ThatMayBeRefusedMayNotBreakTheSubjectDown) {
+  const std::size_t breaks_over = 4;
+  FakeSubject subject = Empty(breaks_over);
+  EXPECT_EQ(AskedInOrder(subject, {1}).end.stop, Stop::kBrokeDown);
 }
 
 TEST(Questions, BehindABreakdownAtTheEndOfACallAreNotPut) {

@@ -25,7 +25,8 @@ MAY = "SquaresOutsideTheMayRegionStayFree"
 NO_INFINITIES = {"name": "no-infinities", "subpixel_bits": 8, "infinite_vertex": "nothing"}
 # Sound twins of a mutant: no set forbids them.
 TWINS = {"vulkan-kept-by-all", "vulkan-fragments-snapped", "vulkan-fragments-given",
-         "vulkan-fragments-unstated", "gl-fragments-unstated"}  # fmt: skip
+         "vulkan-fragments-unstated", "gl-fragments-unstated", "vulkan-refuses-non-finite",
+         "gl-refuses-non-finite", "vulkan-far"}  # fmt: skip
 # variant: the set that forbids it, the property that finds it, and in how many cases at most
 FORBIDDEN = {
     "vulkan-4-bits": ("d3d11", JOINT, 60),
@@ -59,6 +60,9 @@ FORBIDDEN = {
     "vulkan-17-bits": ("d3d11", JOINT, 100),
     "vulkan-23-bits": ("d3d11", JOINT, 100),
     "vulkan-facing-4-bits": ("vulkan-canonical", MODEL, 200),
+    "gl-far-rounds-down": ("d3d11", JOINT, 60),
+    "vulkan-far-clips": ("vulkan-canonical", MODEL, 200),
+    "vulkan-facing-of-input": ("vulkan-canonical", MODEL, 200),
     "vulkan-facing-clipped": ("vulkan-canonical", MODEL, 200),
     "vulkan-facing-exchanged": ("vulkan-canonical", MODEL, 200),
     "vulkan-clips-to-target": ("vulkan-canonical", MODEL, 200),

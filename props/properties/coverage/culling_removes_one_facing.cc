@@ -235,7 +235,7 @@ extern constinit const Property kCullingRemovesOneFacing{
         "and changes no other.",
     .required_by = kFacingClauses,
     .tolerance = kExact,
-    .domains = kCoverageAnySpace,
+    .domains = kFacingsAnySpace,
     .gate = {.space = Space::kEither,
              .shows = Shows::kCulling,
              .any_model = true,

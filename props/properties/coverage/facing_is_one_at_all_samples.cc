@@ -188,7 +188,7 @@ extern constinit const Property kFacingIsOneAtAllSamples{
         "of the snapped area).",
     .required_by = kFacingClauses,
     .tolerance = kExact,
-    .domains = kCoverage,
+    .domains = kFacings,
     .gate = {.shows = Shows::kFacings,
              .contract = ContractNeeded::kAny,
              .any_model = true,

@@ -38,7 +38,7 @@ extern constinit const Property kSignedCoverageEqualsTheWindingNumber{
         "walked once each way, and its two triangles decide it alike.",
     .required_by = kEveryEdgeClauses,
     .tolerance = kExact,
-    .domains = kAnyMesh,
+    .domains = kAnyMeshAndTurned,
     .gate = {.space = Space::kEither,
              .judges_clipped = true,
              .needs_facings = true,

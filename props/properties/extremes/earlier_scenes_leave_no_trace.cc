@@ -43,7 +43,9 @@ Verdict AreAlike(const Answers& answers, const std::vector<std::string>& changes
 Checks Ask(const PlacedCase& c, const Description& /*subject*/) {
   const PlacedCase canonical = c.Under(Freedom{});
   if (auto why = WhyNotMoved(canonical)) return NotExercised(*why);
-  const std::vector<MovedScene> moved = MovedScenes(canonical, {}).ByOneVertex();
+  const MovedScenes of(canonical, {});
+  std::vector<MovedScene> moved = of.ByOneVertex();
+  if (auto behind = of.BehindTheFirst()) moved.push_back(*std::move(behind));
   if (moved.empty()) return NotExercised("no vertex that moves changes what is covered");
   Questions questions;
   questions.company = Company::kInOrderAlone;
@@ -76,7 +78,7 @@ extern constinit const Property kEarlierScenesLeaveNoTrace{
                    .any_model = true,
                    .rules = earlier_scenes_leave_no_trace::kRules,
                    .asks_oracle = true},
-                  "a vertex of its first triangle that can move and change what the canonical "
+                  "a vertex that can move and change what the canonical "
                   "model covers"),
     .ask = earlier_scenes_leave_no_trace::Ask,
 };

@@ -58,6 +58,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
   const MovedScenes of(c, comparison.sight);
   if (!of.expected().why_not().empty()) return NotExercised(of.expected().why_not());
   std::vector<MovedScene> successors = of.ByOneVertex();
+  if (auto behind = of.BehindTheFirst()) successors.push_back(*std::move(behind));
   if (successors.empty()) return NotExercised("no vertex that moves changes what is covered");
   if (auto other = of.OtherContent()) successors.push_back(*std::move(other));
   Questions questions;
@@ -82,7 +83,7 @@ extern constinit const Property kNewVerticesGiveNewCoverage{
     .is_about_sequence = true,
     .gate = Where(
         {.any_model = true, .rules = new_vertices_give_new_coverage::kRules, .asks_oracle = true},
-        "a vertex of its first triangle that can move and change what is covered"),
+        "a vertex that can move and change what is covered"),
     .ask = new_vertices_give_new_coverage::Ask,
 };
 

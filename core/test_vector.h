@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/counters.h"
@@ -18,6 +19,8 @@ namespace rasterproof {
 
 /// The version of the format of vectors: a reader refuses any other.
 inline constexpr int kVectorsVersion = 1;
+/// The last key of a file's first line: the hash of what comes before it.
+inline constexpr std::string_view kHeaderHashKey = "header_fnv1a64";
 
 /// One triangle of a vector, drawn alone.
 struct TriangleVector {

@@ -24,9 +24,19 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr std::array<std::string_view, 12> kHeaderKeys{
-    "rasterproof_vectors", "program", "profile_name", "profile", "seed",        "level", "world",
-    "lattice_bits",        "cases",   "triangles",    "joints",  "body_fnv1a64"};
+constexpr std::array<std::string_view, 13> kHeaderKeys{"rasterproof_vectors",
+                                                       "program",
+                                                       "profile_name",
+                                                       "profile",
+                                                       "seed",
+                                                       "level",
+                                                       "world",
+                                                       "lattice_bits",
+                                                       "cases",
+                                                       "triangles",
+                                                       "joints",
+                                                       "body_fnv1a64",
+                                                       kHeaderHashKey};
 constexpr std::array<std::string_view, 11> kVectorKeys{
     "case",  "width",     "height",  "y_axis", "samples_256", "vertices",
     "fixed", "triangles", "clauses", "why",    "near_edges"};
@@ -181,7 +191,15 @@ JointVector JointFromJson(const JsonValue& object, const TestVector& vector) {
   return joint;
 }
 
-VectorsHeader HeaderFromJson(const JsonValue& object, std::string_view body) {
+void RequireHash(const JsonValue& hash, std::string_view text, std::string_view whose) {
+  if (hash.RequireString() == HashText(text)) return;
+  throw hash.Error("is not the hash of " + std::string(whose) + ", " + HashText(text) +
+                       ": the file is damaged or was changed",
+                   std::string(kAgain));
+}
+
+VectorsHeader HeaderFromJson(const JsonValue& object, std::string_view line,
+                             std::string_view body) {
   const JsonValue version = object.Get("rasterproof_vectors");
   if (version.RequireInteger(0, INT32_MAX) != kVectorsVersion) {
     throw version.Error("version " + std::string(version.text()) + " is unknown",
@@ -202,12 +220,9 @@ VectorsHeader HeaderFromJson(const JsonValue& object, std::string_view body) {
   header.cases = number("cases");
   header.triangles = number("triangles");
   header.joint = number("joints");
-  const JsonValue hash = object.Get("body_fnv1a64");
-  if (hash.RequireString() != HashText(body)) {
-    throw hash.Error("is not the hash of the lines after it, " + HashText(body) +
-                         ": the file is damaged or was changed",
-                     std::string(kAgain));
-  }
+  RequireHash(object.Get("body_fnv1a64"), body, "the lines after it");
+  const std::string last = ",\"" + std::string(kHeaderHashKey) + "\"";
+  RequireHash(object.Get(kHeaderHashKey), line.substr(0, line.rfind(last)), "what comes before it");
   return header;
 }
 
@@ -218,7 +233,7 @@ VectorsFile ParseVectors(std::string_view text, const std::string& place) {
   const std::string_view body = text.substr(std::min(end + 1, text.size()));
   const JsonDocument first(text.substr(0, end), LinePlace(place, 1));
   VectorsFile file;
-  file.header = HeaderFromJson(first.root(), body);
+  file.header = HeaderFromJson(first.root(), text.substr(0, end), body);
   std::unordered_map<std::string, std::size_t> names;
   ReadLines(body, 2, [&](std::string_view line, std::size_t number) {
     const JsonDocument document(line, LinePlace(place, number));

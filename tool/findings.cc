@@ -156,8 +156,14 @@ std::string LastLine(const Findings& found) {
   if (found.not_asked != 0)
     line += fmt::format(", {} not asked after the first failure", found.not_asked);
   std::uint64_t cases = 0;
-  for (const Finding& finding : found.all) cases += finding.result.cases;
-  return line + fmt::format("; {} cases\n", cases);
+  std::uint64_t refused = 0;
+  for (const Finding& finding : found.all) {
+    cases += finding.result.cases;
+    refused += finding.result.cases_refused;
+  }
+  line += fmt::format("; {} cases", cases);
+  if (refused != 0) line += fmt::format(", {} of them refused", refused);
+  return line + "\n";
 }
 
 std::string OutcomeLine(const PropertyResult& result, FailOn fail_on, const std::string& counts) {

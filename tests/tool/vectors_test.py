@@ -222,6 +222,11 @@ class VectorsTest(unittest.TestCase):
         for name, damaged, words in (
             ("hash", text[:-20] + text[-18:], ("line 1: body_fnv1a64", "generate the file again")),
             ("cut", text[: len(text) // 2], ("body_fnv1a64",)),
+            ("cases", text.replace('"cases":', '"cases":1', 1), ("line 1: header_fnv1a64",)),
+            ("triangles", text.replace('"triangles":', '"triangles":1', 1),
+             ("line 1: header_fnv1a64", "was changed")),
+            ("name", text.replace('"profile_name":"vulkan"', '"profile_name":"gl"'),
+             ("line 1: header_fnv1a64",)),
             ("version", text.replace('"rasterproof_vectors":1', '"rasterproof_vectors":2'),
              ("version 2 is unknown", "reads version 1")),
             ("empty", "", ("line 1",)),

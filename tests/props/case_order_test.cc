@@ -46,7 +46,9 @@ TEST(CaseOrder, TakesAChosenCaseOfALateDomainAfterEachDrawnOneButOne) {
     } else {
       EXPECT_EQ(name, NameOfCase(domains, FirstIndex(Model().name), 7, drawn++));
     }
-    if (n == 19) EXPECT_EQ(chosen, 7U);
+    if (n == 19) {
+      EXPECT_EQ(chosen, 7U);
+    }
   }
   EXPECT_GT(chosen, 20U);
   EXPECT_EQ(drawn + chosen, 200U);

@@ -24,6 +24,7 @@ struct UnitRange {
 struct PointBox {
   UnitRange x;
   UnitRange y;
+  std::int64_t step = 1;  ///< from one of its points to the next
 };
 
 struct PointPlace {
@@ -88,7 +89,7 @@ std::vector<PointBox> SamplesOf(const EdgeUnit& unit, int past) {
   std::vector<PointBox> boxes;
   for (const Point2& l : unit.pattern.locations) {
     boxes.push_back({SamplesIn(unit, l.x, -past, unit.width + past),
-                     SamplesIn(unit, l.y, -past, unit.height + past)});
+                     SamplesIn(unit, l.y, -past, unit.height + past), OnePixel(unit)});
   }
   return boxes;
 }
@@ -98,7 +99,7 @@ std::vector<PointBox> ReachedSamplesOf(const EdgeUnit& unit) {
   for (const Point2& l : unit.pattern.locations) {
     const auto x = SamplesInReach(unit, l.x, unit.width);
     const auto y = SamplesInReach(unit, l.y, unit.height);
-    if (x && y) boxes.push_back({*x, *y});
+    if (x && y) boxes.push_back({*x, *y, OnePixel(unit)});
   }
   if (!boxes.empty()) return boxes;
   throw InputError("--fixed", "no sample lies in the range of vertices",
@@ -113,8 +114,9 @@ UnitRange TileCorners(const EdgeUnit& unit, int side, int past) {
 
 std::vector<PointPlace> Places(const EdgeUnit& unit) {
   const auto corners = [&](int past) {
-    return std::vector<PointBox>{
-        {TileCorners(unit, unit.width, past), TileCorners(unit, unit.height, past)}};
+    return std::vector<PointBox>{{TileCorners(unit, unit.width, past),
+                                  TileCorners(unit, unit.height, past),
+                                  unit.tile * OnePixel(unit)}};
   };
   return {
       {"box", "sample in the box", ReachedSamplesOf(unit)},
@@ -200,47 +202,123 @@ void AtCorners(const UnitRange& vertices, const PointBox& p, const Take& take) {
   }
 }
 
+// A width, and what takes it.
+struct FoundWidth {
+  EdgeWidth width;
+  EdgeFormula formula;
+  PointBox box;  ///< where p lies
+};
+
 // The width of one formula at one place. Bits are those that least and most take together, so of
 // formulas for x and for y the wider one is kept.
-EdgeWidth WidthOf(const EdgeFormula& formula, const UnitRange& vertices, const PointPlace& place) {
-  EdgeWidth width;
-  std::optional<std::pair<EdgeInput, EdgeInput>> ends;
-  const auto take = [&](const EdgeInput& input) {
-    const EdgeInteger value = formula(input);
-    if (!ends) {
-      ends.emplace(input, input);
-      width.least = width.most = value;
-    }
-    if (value < width.least) {
-      width.least = value;
-      ends->first = input;
-    }
-    if (value > width.most) {
-      width.most = value;
-      ends->second = input;
-    }
+FoundWidth WidthOf(const EdgeFormula& formula, const UnitRange& vertices, const PointPlace& place) {
+  struct End {
+    EdgeInteger value = 0;
+    EdgeInput input;
+    PointBox box;
   };
-  for (const PointBox& p : place.boxes) AtCorners(vertices, p, take);
+  std::optional<std::pair<End, End>> ends;
+  for (const PointBox& box : place.boxes) {
+    AtCorners(vertices, box, [&](const EdgeInput& input) {
+      const End end{formula(input), input, box};
+      if (!ends) ends.emplace(end, end);
+      if (end.value < ends->first.value) ends->first = end;
+      if (end.value > ends->second.value) ends->second = end;
+    });
+  }
+  EdgeWidth width;
+  width.least = ends->first.value;
+  width.most = ends->second.value;
   width.bits = SignedBits(width.least, width.most);
   const bool is_most = SignedBits(width.most, width.most) == width.bits;
-  width.witness = is_most ? ends->second : ends->first;
-  width.extreme = is_most ? width.most : width.least;
-  return width;
+  const End& extreme = is_most ? ends->second : ends->first;
+  width.witness = extreme.input;
+  width.extreme = extreme.value;
+  return {std::move(width), formula, extreme.box};
 }
 
-EdgeWidth WidthOf(const EdgeTerm& value, const UnitRange& vertices, const PointPlace& place) {
-  EdgeWidth widest;
+FoundWidth WidthOf(const EdgeTerm& value, const UnitRange& vertices, const PointPlace& place) {
+  FoundWidth widest;
   for (const EdgeFormula& formula : value.formulas) {
-    EdgeWidth width = WidthOf(formula, vertices, place);
-    if (width.bits > widest.bits) widest = std::move(width);
+    FoundWidth found = WidthOf(formula, vertices, place);
+    if (found.width.bits > widest.width.bits) widest = std::move(found);
   }
-  widest.id = value.form + '-' + value.id;
-  if (value.depends_on_p) widest.id += '-' + place.id;
-  widest.form = value.form;
-  widest.value = value.words;
-  widest.place = value.depends_on_p ? place.words : "";
-  widest.depends_on_p = value.depends_on_p;
+  EdgeWidth& width = widest.width;
+  width.id = value.form + '-' + value.id;
+  if (value.depends_on_p) width.id += '-' + place.id;
+  width.form = value.form;
+  width.value = value.words;
+  width.place = value.depends_on_p ? place.words : "";
+  width.depends_on_p = value.depends_on_p;
   return widest;
+}
+
+std::vector<FoundWidth> FoundWidths(const EdgeUnit& unit) {
+  const UnitRange vertices = VertexRange(unit);
+  const std::vector<PointPlace> places = Places(unit);
+  std::vector<FoundWidth> widths;
+  for (const EdgeTerm& value : EdgeTerms(unit)) {
+    if (!value.depends_on_p) {
+      widths.push_back(WidthOf(value, vertices, places.front()));
+      continue;
+    }
+    for (const PointPlace& place : places) widths.push_back(WidthOf(value, vertices, place));
+    if (value.is_of_offsets) widths.push_back(WidthOf(value, vertices, Offsets(unit)));
+  }
+  const EdgeTerm area = {"area", "e", "E(a, b; c), twice it", {EdgeOf}};
+  widths.push_back(WidthOf(area, vertices,
+                           {"vertex", "third vertex", {{vertices, vertices, VertexStep(unit)}}}));
+  return widths;
+}
+
+// How far the value lies beyond n bits in two's complement, on the side of its sign; negative: n
+// bits hold it.
+EdgeInteger BeyondBits(EdgeInteger value, bool is_positive, int bits) {
+  const EdgeInteger end = EdgeInteger{1} << (bits - 1);
+  return is_positive ? value - end : -end - 1 - value;
+}
+
+// The input whose value is next beyond n bits, as far as each coordinate alone can bring it there:
+// from the extreme one, each goes to the last place that still is beyond. The value is affine in
+// it, so that place is found by halving.
+EdgeWidth InputBeyond(const EdgeUnit& unit, const FoundWidth& found, int bits) {
+  EdgeWidth width = found.width;
+  const bool is_positive = width.extreme > 0;
+  const UnitRange vertices = VertexRange(unit);
+  EdgeInput& e = width.witness;
+  const auto beyond = [&] { return BeyondBits(found.formula(e), is_positive, bits); };
+  const auto move = [&](std::int64_t& coordinate, const UnitRange& range, std::int64_t step) {
+    const std::int64_t from = coordinate;
+    const std::int64_t by = from == range.first ? step : -step;
+    const EdgeInteger before = beyond();
+    std::int64_t low = 0;  // so many steps are known to be beyond
+    std::int64_t high = (range.last - range.first) / step;
+    const auto at = [&](std::int64_t steps) {
+      coordinate = from + steps * by;
+      return beyond();
+    };
+    if (at(high) < before) {
+      while (low < high) {
+        const std::int64_t middle = low + (high - low + 1) / 2;
+        if (at(middle) >= 0) {
+          low = middle;
+        } else {
+          high = middle - 1;
+        }
+      }
+    }
+    coordinate = from + low * by;
+  };
+  move(e.ax, vertices, VertexStep(unit));
+  move(e.ay, vertices, VertexStep(unit));
+  move(e.bx, vertices, VertexStep(unit));
+  move(e.by, vertices, VertexStep(unit));
+  move(e.px, found.box.x, found.box.step);
+  move(e.py, found.box.y, found.box.step);
+  width.id += "-beyond-" + std::to_string(bits);
+  width.bits = bits + 1;
+  width.extreme = found.formula(e);
+  return width;
 }
 
 int WideSign(EdgeInteger x) { return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0); }
@@ -279,6 +357,23 @@ std::vector<std::int64_t> Candidates(const EdgeUnit& unit, std::int64_t a, std::
   return list;
 }
 
+// A triangle of these corners, in units.
+Scene SceneOf(const EdgeUnit& unit, const std::string& name,
+              const std::array<std::pair<std::int64_t, std::int64_t>, 3>& corners) {
+  Scene scene;
+  scene.name = name;
+  scene.width = unit.width;
+  scene.height = unit.height;
+  const int bits = unit.input.integer_bits + unit.input.fraction_bits;
+  scene.precision = bits > 24 ? Precision::kFloat64 : Precision::kFloat32;
+  const auto pixels = [&](std::int64_t n) {
+    return std::ldexp(static_cast<double>(n), -unit.UnitBits());
+  };
+  for (const auto& [x, y] : corners) scene.vertices.push_back({pixels(x), pixels(y)});
+  scene.triangles = {{0, 1, 2}};
+  return scene;
+}
+
 }  // namespace
 
 int EdgeUnit::UnitBits() const {
@@ -314,20 +409,20 @@ EdgeInteger WrappedTo(EdgeInteger value, int bits) {
 }
 
 std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit) {
-  const UnitRange vertices = VertexRange(unit);
-  const std::vector<PointPlace> places = Places(unit);
   std::vector<EdgeWidth> widths;
-  for (const EdgeTerm& value : EdgeTerms(unit)) {
-    if (!value.depends_on_p) {
-      widths.push_back(WidthOf(value, vertices, places.front()));
-      continue;
-    }
-    for (const PointPlace& place : places) widths.push_back(WidthOf(value, vertices, place));
-    if (value.is_of_offsets) widths.push_back(WidthOf(value, vertices, Offsets(unit)));
-  }
-  const EdgeTerm area = {"area", "e", "E(a, b; c), twice it", {EdgeOf}};
-  widths.push_back(WidthOf(area, vertices, {"vertex", "third vertex", {{vertices, vertices}}}));
+  for (FoundWidth& found : FoundWidths(unit)) widths.push_back(std::move(found.width));
   return widths;
+}
+
+std::vector<EdgeWidth> InputsBeyondBits(const EdgeUnit& unit) {
+  std::vector<EdgeWidth> inputs;
+  for (const FoundWidth& found : FoundWidths(unit)) {
+    for (int bits = kFewestEdgeBits; bits + 1 < found.width.bits; ++bits) {
+      EdgeWidth input = InputBeyond(unit, found, bits);
+      if (SignedBits(input.extreme, input.extreme) == bits + 1) inputs.push_back(std::move(input));
+    }
+  }
+  return inputs;
 }
 
 Scene WitnessScene(const EdgeUnit& unit, const EdgeWidth& width) {
@@ -335,6 +430,9 @@ Scene WitnessScene(const EdgeUnit& unit, const EdgeWidth& width) {
   std::int64_t x = e.ax;
   std::int64_t y = e.ay;
   int worth = -1;
+  if (width.form == "area") {  // its value is that of this very triangle
+    return SceneOf(unit, width.id, {{{e.ax, e.ay}, {e.bx, e.by}, {e.px, e.py}}});
+  }
   for (const std::int64_t cx : Candidates(unit, e.ax, e.bx, e.px)) {
     for (const std::int64_t cy : Candidates(unit, e.ay, e.by, e.py)) {
       const int now = WorthOf(width, cx, cy);
@@ -344,20 +442,7 @@ Scene WitnessScene(const EdgeUnit& unit, const EdgeWidth& width) {
       y = cy;
     }
   }
-  Scene scene;
-  scene.name = width.id;
-  scene.width = unit.width;
-  scene.height = unit.height;
-  const int bits = unit.input.integer_bits + unit.input.fraction_bits;
-  scene.precision = bits > 24 ? Precision::kFloat64 : Precision::kFloat32;
-  const auto pixels = [&](std::int64_t n) {
-    return std::ldexp(static_cast<double>(n), -unit.UnitBits());
-  };
-  for (const auto& [vx, vy] : {std::pair{e.ax, e.ay}, {e.bx, e.by}, {x, y}}) {
-    scene.vertices.push_back({pixels(vx), pixels(vy)});
-  }
-  scene.triangles = {{0, 1, 2}};
-  return scene;
+  return SceneOf(unit, width.id, {{{e.ax, e.ay}, {e.bx, e.by}, {x, y}}});
 }
 
 }  // namespace rasterproof::exact

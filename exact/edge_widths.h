@@ -74,6 +74,18 @@ struct EdgeWidth {
 /// Error:      InputError if no sample lies in the range of vertices.
 std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit);
 
+/// Of fewer bits no edge function is made.
+inline constexpr int kFewestEdgeBits = 8;
+
+/// For each value of EdgeWidths(unit) and every n from kFewestEdgeBits to two less than its bits an
+/// input whose value takes n + 1 bits, and hardly more than n: with n bits the extreme input may
+/// pass by luck (an area of 4095^2 cut to 12 bits wraps to 1), a value next beyond 2^(n-1) has the
+/// wrong sign. Their ids end with "-beyond-n", `bits` is n + 1 and `extreme` the value; `least` and
+/// `most` are the value's over all inputs. An n is left out where no input was found.
+///
+/// Error:      as EdgeWidths.
+std::vector<EdgeWidth> InputsBeyondBits(const EdgeUnit& unit);
+
 /// The fewest bits of two's complement that hold both; 1 for 0 and -1.
 int SignedBits(EdgeInteger least, EdgeInteger most);
 
@@ -83,7 +95,8 @@ EdgeInteger WrappedTo(EdgeInteger value, int bits);
 /// E of the input, exactly.
 EdgeInteger EdgeOf(const EdgeInput& input);
 
-/// A triangle a, b, c with the witness's edge. If one was found, c is such that E(a, b; p) decides
+/// A triangle a, b, c with the witness's edge. Of an area c is the witness's p. Else, if one was
+/// found, c is such that E(a, b; p) decides
 /// whether p is covered, and one bit less holds the other two values: the wrong sign is then seen.
 /// A witness in the box lies in the box of this triangle.
 ///

@@ -103,8 +103,9 @@ std::vector<Evidence> Exhausted(const Certificate& certificate) {
   for (const PropertyResult& result : certificate.tested) {
     if (!IsExhausted(result)) continue;
     list.push_back(
-        {NameOf(result), fmt::format("all {} of {} cases, {} of which put it to the test",
-                                     result.cases, result.world_cases, result.cases_exercised)});
+        {NameOf(result), fmt::format("all {} of {} cases, {} of which put it to the test{}{}",
+                                     result.cases, result.world_cases, result.cases_exercised,
+                                     result.message.empty() ? "" : "; ", result.message)});
   }
   return list;
 }

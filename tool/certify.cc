@@ -18,6 +18,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/domains/width_inputs.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
@@ -92,10 +93,14 @@ std::string CommandOf(const CertifyOptions& options) {
   return command + " --out " + ShellWord(options.output);
 }
 
-// Every property, then those of each world.
-std::vector<Test> TestsOf(const std::vector<std::string>& worlds) {
+// Every property, those that a fixed-point input is put to besides, then those of each world.
+std::vector<Test> TestsOf(const SubjectInfo& info, const std::vector<std::string>& worlds) {
   std::vector<Test> tests;
   for (const props::Property& property : props::Catalog()) tests.push_back({&property, nullptr});
+  for (const props::Property& property : props::Catalog()) {
+    if (!props::IsPutToWidthInputs(property.name, info)) continue;
+    tests.push_back({&property, &props::WidthInputs()});
+  }
   for (const std::string& name : worlds) {
     const props::World* world = props::FindWorld(name);
     for (const std::string_view property : world->properties) {
@@ -114,7 +119,7 @@ Certification::Certification(const SubjectFactory& subject, const CertifyOptions
       options_(options),
       scenes_(scenes),
       source_(source),
-      tests_(TestsOf(options.worlds)) {
+      tests_(TestsOf(info_, options.worlds)) {
   parts_.resize(tests_.size() + scenes.size());
 }
 
@@ -158,6 +163,9 @@ void Certification::DoTest(Subject& subject, std::size_t k, Part& mine) {
     mine.result = props::NothingRun(info_, *test.property, options_.campaign.seed, test.world);
     for (const SubjectPart& part : source_.parts) mine.result += part.tests[k];
     props::Conclude(info_, *test.property, mine.result);
+  }
+  if (test.world == &props::WidthInputs() && IsExhausted(mine.result)) {
+    mine.result.message = props::WidthInputsText(info_);
   }
   mine.found.oracle_tiers = mine.result.tiers;
   mine.found.interrupted = Interrupted();
@@ -219,7 +227,7 @@ SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>
   if (IsOutside(info.name)) part.options = LimitOptions();
   for (const std::string& world : worlds) part.options += " --exhaustive " + ShellWord(world);
   part.worlds = worlds;
-  for (const Test& test : TestsOf(worlds)) {
+  for (const Test& test : TestsOf(info, worlds)) {
     PropertyResult& result = part.tests.emplace_back();
     result.property = test.property->name;
     if (test.world != nullptr) result.world = test.world->name;

@@ -26,6 +26,7 @@
 #include "io/scene_file.h"
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
+#include "props/domains/width_inputs.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
@@ -144,7 +145,7 @@ std::string CaseLine(const SubjectInfo& subject, const props::Property& property
 PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
                         const props::Property& property, const CheckOptions& options,
                         Progress& progress, std::size_t worker, props::Pace& pace,
-                        std::string& cases) {
+                        std::string& cases, const props::World* world = nullptr) {
   const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
   progress.Stage(stage, options.campaign.cases, worker);
   props::CampaignOptions campaign =
@@ -157,6 +158,8 @@ PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
     progress.Done(evaluations, worker);
   };
   campaign.pace = &pace;
+  campaign.world = world;
+  if (world != nullptr) campaign.cases = world->cases;
   if (!options.cases_json.empty()) {
     campaign.judged = [&](const Case& c, const Verdict& verdict) {
       cases += CaseLine(subject.Info(), property, c, verdict);
@@ -293,9 +296,17 @@ void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedChe
       [&](std::size_t worker, const props::Property& property, Share& share) {
         Subject& own = crew.Of(worker);
         if (FailsAsSaved(own, property, asked, options, share)) return;
-        share.finding = FindingOf(
-            own, Campaign(own, subject, property, options, progress, worker, pace, share.cases),
-            options);
+        const auto run = [&](const props::World* world) {
+          return Campaign(own, subject, property, options, progress, worker, pace, share.cases,
+                          world);
+        };
+        PropertyResult result = run(nullptr);
+        const bool has_failed = result.outcome == Outcome::kViolated;
+        if (!has_failed && props::IsPutToWidthInputs(property.name, own.Info())) {
+          PropertyResult of_widths = run(&props::WidthInputs());
+          if (of_widths.outcome == Outcome::kViolated) result = std::move(of_widths);
+        }
+        share.finding = FindingOf(own, std::move(result), options);
       },
       fail_fast, error);
   Add(std::move(shares), fail_fast, found);

@@ -210,6 +210,7 @@ int RunWidths(const WidthsOptions& options) {
     RequireTargetSize("--target " + options.target, unit.width, unit.height,
                       unit.pattern.samples());
     SaveWitnesses(options.save, unit, widths);
+    SaveWitnesses(options.save, unit, exact::InputsBeyondBits(unit));
   }
   if (!options.json.empty()) WriteOutput(options.json, ToJson(unit, widths));
   if (options.json != "-") io::WriteStandardOutput(ToTable(unit, widths));

@@ -13,6 +13,7 @@
 #include "core/vertex.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/width_inputs.h"
 
 namespace rasterproof::props {
 namespace {
@@ -173,6 +174,7 @@ static_assert(std::ranges::is_sorted(kWorlds, {}, &World::cases));
 std::span<const World> Worlds() { return kWorlds; }
 
 const World* FindWorld(std::string_view name) {
+  if (name == WidthInputs().name) return &WidthInputs();
   const auto found = std::ranges::find(kWorlds, name, &World::name);
   return found == kWorlds.end() ? nullptr : &*found;
 }
@@ -183,6 +185,7 @@ std::string WhyNotGiven(const World& world, const SubjectInfo& info) {
   if (world.pixels * profile.pattern.samples() > kMaxTargetSamples) {
     return "with its samples in a pixel the target is larger than any";
   }
+  if (world.why_not != nullptr) return world.why_not(info);
   const int pixels = (world.reach + 1) / 2;
   NoChance bits;
   const CaseBuilder builder(bits, info, pixels, 1);

@@ -34,11 +34,13 @@ struct World {
   std::span<const std::string_view> properties;
   /// CaseOfWorld calls it.
   Case (*draw)(std::uint64_t index, const SubjectInfo&) = nullptr;
+  /// Why the subject can't be given what `reach` says nothing of; nullptr: `reach` says it.
+  std::string (*why_not)(const SubjectInfo&) = nullptr;
 };
 
 /// Sizes first, then from the fewest cases to the most.
 std::span<const World> Worlds();
-/// nullptr if there is none of that name.
+/// One of Worlds(), or WidthInputs(); nullptr if there is none of that name.
 const World* FindWorld(std::string_view name);
 
 /// Why the subject can't be given the world; empty if it can: its points are places that the

@@ -15,6 +15,7 @@
 #include "props/domains/worlds.h"
 #include "props/judging/gate.h"
 #include "props/run/budget.h"
+#include "props/run/case_order.h"
 #include "props/run/conclude.h"
 #include "props/run/counterexample.h"
 #include "props/run/description.h"
@@ -59,7 +60,7 @@ class Campaign {
         pace_(options.pace != nullptr ? *options.pace : own_pace_),
         is_outside_(subject.SharesCalls()),
         budget_(subject, options_),
-        domains_(DomainsFor(subject.Info(), property)),
+        order_(subject.Info(), property, options.seed),
         result_(NothingRun(subject.Info(), property, options.seed, options.world)) {
     options_.pace = &pace_;
   }
@@ -90,7 +91,7 @@ class Campaign {
     if (std::string why = WhyNotApplicable(); !why.empty()) {
       return EndWith(End::kNotApplicable, std::move(why));
     }
-    if (options_.world == nullptr && domains_.empty()) return;
+    if (options_.world == nullptr && order_.IsEmpty()) return;
     for (std::uint64_t done = 0; done < options_.cases;) {
       const Block block = DrawBlock(done);
       done += block.cases.size();
@@ -111,7 +112,7 @@ class Campaign {
 
   CaseName NameOf(std::uint64_t index) const {
     if (options_.world != nullptr) return NameOfCase(*options_.world, index);
-    return NameOfCase(domains_, FirstIndex(property_.name), options_.seed, index);
+    return order_.Name(index);
   }
 
   Block DrawBlock(std::uint64_t done) const {
@@ -155,7 +156,8 @@ class Campaign {
       // The case does not count: it is the run's time that was up, not the subject's.
       if (trial.stop == Stop::kDeadline && budget_.IsUp()) return EndWith(End::kTimeUp);
       const std::uint64_t index = block.indices[first + k];
-      AddCase(index, cases[k], trial.verdict, result_);
+      AddCase(options_.world == nullptr ? order_.PlaceOf(index) : 0, cases[k], trial.verdict,
+              result_);
       if (options_.judged) options_.judged(cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {
@@ -201,7 +203,7 @@ class Campaign {
   Pace& pace_;
   bool is_outside_;
   Budget budget_;
-  std::vector<const Domain*> domains_;
+  CaseOrder order_;
   PropertyResult result_;
 };
 
@@ -219,12 +221,12 @@ double Pace::LimitAfterAHang(double time_limit) const {
 
 Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t seed,
               std::uint64_t number) {
-  const std::vector<const Domain*> domains = DomainsFor(info, property);
-  if (domains.empty()) {
+  const CaseOrder order(info, property, seed);
+  if (order.IsEmpty()) {
     throw InputError(std::string(property.name), "the subject takes scenes of none of its domains",
                      "choose another property or subject");
   }
-  return DrawCase(info, NameOfCase(domains, FirstIndex(property.name), seed, number));
+  return DrawCase(info, order.Name(number));
 }
 
 Verdict RunCase(Subject& subject, const Property& property, const Case& c) {

@@ -37,8 +37,8 @@ struct Pace {
 
 struct CampaignOptions {
   std::uint64_t seed = kDefaultSeed;
-  /// Cases in all, one of each of the property's domains in turn: NameOfCase says which they are.
-  /// A domain that the property lists twice has two turns.
+  /// Cases in all, chosen ones and one of each of the property's domains in turn: CaseOrder says
+  /// which they are. A domain that the property lists twice has two turns.
   std::uint64_t cases = kDefaultCases;
   std::uint64_t first_case = 0;  ///< for shards and replays
   /// Takes the cases of this world, in their order, and not those of the property's domains:

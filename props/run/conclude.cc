@@ -268,11 +268,11 @@ PropertyResult NothingRun(const SubjectInfo& info, const Property& property, std
   return result;
 }
 
-void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict, PropertyResult& result) {
+void AddCase(std::size_t place, const Case& c, const Verdict& verdict, PropertyResult& result) {
   result.AddCase(verdict);
   const CaseEvidence evidence = EvidenceOfCase(SeenCase(c));
   if (!result.domains.empty()) {
-    DomainCounts& domain = result.domains[number % result.domains.size()];
+    DomainCounts& domain = result.domains[place];
     ++domain.drawn;
     domain.near_edge += evidence.near_edge;
   }

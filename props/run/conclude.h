@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_RUN_CONCLUDE_H_
 #define RASTERPROOF_PROPS_RUN_CONCLUDE_H_
 
+#include <cstddef>
 #include <cstdint>
 
 #include "core/case.h"
@@ -23,10 +24,10 @@ inline constexpr double kMostRefusedShare = 0.5;
 PropertyResult NothingRun(const SubjectInfo& info, const Property& property, std::uint64_t seed,
                           const World* world = nullptr);
 
-/// Adds case `number` of the run to what NothingRun began: it is one of domain
-/// number % result.domains.size(), or of the world. Of a world no samples near edges are counted:
-/// it has them by construction.
-void AddCase(std::uint64_t number, const Case& c, const Verdict& verdict, PropertyResult& result);
+/// Adds a case to what NothingRun began: it is one of the domain of that place in
+/// DomainsFor(), or of the world. Of a world no samples near edges are counted: it has them by
+/// construction.
+void AddCase(std::size_t place, const Case& c, const Verdict& verdict, PropertyResult& result);
 
 /// Sets outcome and message by the counters and the end, as often as they change. Domains that the
 /// subject can't take are named last in the message.

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <exception>
 #include <memory>
+#include <new>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,6 +47,11 @@ auto WorkedOut(const std::string& place, const Work& work) {
     throw;
   } catch (const SubjectDoesNotRun&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw JudgingFault(place +
+                       "rasterproof's own memory ran out (no option limits it: 'ulimit -v', "
+                       "a container, or the machine); leave out --exhaustive large-target, "
+                       "or run with fewer --jobs");
   } catch (const std::exception& error) {
     throw JudgingFault(place + error.what());
   }

@@ -83,6 +83,21 @@ std::vector<Mutant> Targets() {
                          const bool last = at.x == counts.width - 1 && counts.width % 4 == 3;
                          return counts.Index(at.x + (last ? 1 : 0), at.row, at.s);
                        }}},
+      {"target-index-in-float", "the index of a sample is rounded to float32", "",
+       FixedStages{.index =
+                       [](const CoverageCounts& counts, const Sample& at) {
+                         const auto index = counts.Index(at.x, at.row, at.s);
+                         return static_cast<std::size_t>(static_cast<float>(index));
+                       }}},
+      {"target-bins-of-8-bits", "the number of a tile of 256 x 256 pixels is kept in 8 bits", "",
+       FixedStages{.index =
+                       [](const CoverageCounts& counts, const Sample& at) {
+                         const int columns = (counts.width + 255) / 256;
+                         const int kept = (at.row / 256 * columns + at.x / 256) % 256;
+                         const int x = kept % columns * 256 + at.x % 256;
+                         return counts.Index(std::min(x, counts.width - 1),
+                                             kept / columns * 256 + at.row % 256, at.s);
+                       }}},
       {"target-overwritten", "counts are written, not added to", "",
        FixedStages{.after =
                        [](CoverageCounts& counts, const CoverageCounts& before) {

@@ -1,7 +1,12 @@
 // Answers: written on the far side, read on this one.
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <span>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/call_end.h"
 #include "core/quoted.h"
@@ -44,6 +49,9 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
                              const std::string& subject) {
   if (const auto rest = AfterHead(line, word, id)) return *rest;
   if (const auto reason = AfterHead(line, "fault", id)) BreakDown(std::string(*reason));
+  if (const auto reason = AfterHead(line, "no-memory", id)) {
+    throw SubjectStop(Stop::kTooSlow, std::string(*reason));
+  }
   if (const auto reason = AfterHead(line, "refused", id)) {
     const InputError refusal("subject " + subject, "it refused the scene: " + std::string(*reason),
                              "give it another one");
@@ -89,12 +97,28 @@ void ReadRows(const CoverageCounts& shape, std::size_t numbers, const NextLine& 
   }
 }
 
+// A row of counts that are all 0, as nearly all rows of a large target: it is written and read as a
+// whole.
+std::string ZerosOf(std::size_t columns) {
+  std::string zeros(2 * columns - 1, ' ');
+  for (std::size_t k = 0; k < zeros.size(); k += 2) zeros[k] = '0';
+  return zeros;
+}
+
+// Counts onto zeros.
 void ReadCounts(const CoverageCounts& shape, std::vector<std::uint32_t>& side,
                 const NextLine& next_line) {
-  ReadRows(shape, 1, next_line,
-           [&](RowReader& row, std::size_t index, std::size_t column, std::size_t columns) {
-             side[index] = row.Next<std::uint32_t>(column, columns);
-           });
+  const auto columns = shape.size() / static_cast<std::size_t>(shape.height);
+  const std::string zeros = ZerosOf(columns);
+  for (std::size_t at = 0; at < shape.size(); at += columns) {
+    const std::string_view line = next_line(MostOfARow(columns));
+    if (line == zeros) continue;
+    RowReader row(line);
+    for (std::size_t k = 0; k < columns; ++k) {
+      side[at + k] = row.Next<std::uint32_t>(k, columns);
+    }
+    row.RequireEnd(columns);
+  }
 }
 
 // The shapes that an array of these counts may have, of each facing if there are several.
@@ -185,6 +209,24 @@ void AddRows(TextWriter& text, const CoverageCounts& shape, const Add& add) {
   }
 }
 
+void AddCounts(TextWriter& text, const CoverageCounts& shape,
+               const std::vector<std::uint32_t>& side) {
+  const auto columns = shape.size() / static_cast<std::size_t>(shape.height);
+  const std::string zeros = ZerosOf(columns) + '\n';
+  for (std::size_t at = 0; at < shape.size(); at += columns) {
+    const std::span<const std::uint32_t> row(side.data() + at, columns);
+    if (std::ranges::all_of(row, [](std::uint32_t count) { return count == 0; })) {
+      text.Add(zeros);
+      continue;
+    }
+    for (const std::uint32_t& count : row) {
+      if (&count != row.data()) text.Add(' ');
+      text.AddNumber(count);
+    }
+    text.Add('\n');
+  }
+}
+
 void AddBarycentrics(TextWriter& text, const std::array<double, 3>& barycentrics) {
   for (const double barycentric : barycentrics) {
     text.Add(' ');
@@ -234,10 +276,8 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
     AddPrimitiveIds(text, drawing, answered);
     return text.Take();
   }
-  AddRows(text, counts, [&](std::size_t k) { text.AddNumber(counts.front[k]); });
-  if (kind == CoverageKind::kFacingCounts) {
-    AddRows(text, counts, [&](std::size_t k) { text.AddNumber(counts.back[k]); });
-  }
+  AddCounts(text, counts, counts.front);
+  if (kind == CoverageKind::kFacingCounts) AddCounts(text, counts, counts.back);
   return text.Take();
 }
 
@@ -272,7 +312,7 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
 
 std::uint64_t AnsweredRequest(std::string_view line) {
   for (const std::string_view word :
-       {"counts ", "primitive-ids ", "fragments ", "values ", "fault ", "refused "}) {
+       {"counts ", "primitive-ids ", "fragments ", "values ", "fault ", "refused ", "no-memory "}) {
     std::uint64_t id = 0;
     if (line.starts_with(word) && WordReader(line.substr(word.size())).Number(id)) return id;
   }

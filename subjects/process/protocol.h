@@ -12,7 +12,8 @@
 //                    with the counts of the back faces if the program reports facings
 //     primitive-ids ID HEIGHT lines of as many indices of triangles; -1 where none won the sample
 //     fragments ID   the same, but each index (not -1) is followed by W0 W1 W2 DEPTH
-// Or one line: `refused ID REASON`, or `fault ID REASON` for what it found out about itself.
+// Or one line: `refused ID REASON`, `fault ID REASON` for what it found out about itself, or
+// `no-memory ID REASON` if its process may have no more memory, which is no finding.
 //
 // Version 2, for programs that say that they speak it (SubjectInfo::protocol), is version 1 and two
 // words that come over the pipe no more often than they save something:

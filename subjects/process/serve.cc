@@ -1,5 +1,7 @@
 #include "subjects/process/serve.h"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -7,8 +9,10 @@
 #include <exception>
 #include <functional>
 #include <istream>
+#include <new>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,18 +46,44 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
   if (!fits) BreakDown("its drawing has not the shape of the target, or lacks a part");
 }
 
-// Does what EndOf does; in its own process, a subject is also to blame if memory runs out.
+// This process may have no more memory, be it for the target, for the answer or for the subject.
+std::string OutOfMemoryText() {
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  std::string most = "all that the machine gives";
+  if (limit.rlim_cur != RLIM_INFINITY) {
+    most = std::to_string(limit.rlim_cur >> 20) + " MiB (--memory-limit)";
+  }
+  return "its process has used up its memory, " + most +
+         ", of which rasterproof takes a part for target and answer; raise --memory-limit, or "
+         "give it smaller targets";
+}
+
+// Does what EndOf does. Whose memory ran out is not known: that is no finding.
 CallEnd EndHere(const std::function<void()>& call) {
   try {
     return EndOf(call);
+  } catch (const std::bad_alloc&) {
+    return {Stop::kTooSlow, OutOfMemoryText()};
   } catch (const std::exception& error) {
     return {Stop::kBrokeDown, error.what()};
   }
 }
 
+std::string_view EndWord(Stop stop) {
+  switch (stop) {
+    case Stop::kRefused:
+    case Stop::kNotDrawable:
+      return "refused ";
+    case Stop::kTooSlow:
+      return "no-memory ";
+    default:
+      return "fault ";
+  }
+}
+
 std::string EndText(std::uint64_t id, const CallEnd& end) {
-  const bool is_refusal = end.stop == Stop::kRefused || end.stop == Stop::kNotDrawable;
-  return (is_refusal ? "refused " : "fault ") + std::to_string(id) + " " + OneLine(end.why) + "\n";
+  return std::string(EndWord(end.stop)) + std::to_string(id) + " " + OneLine(end.why) + "\n";
 }
 
 // The result of `answer`, or how it ended.
@@ -120,7 +150,13 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
     if (end.stop != Stop::kNone) outcomes = {{{}, std::move(end)}};
     std::string answers;
     for (std::size_t k = 0; k < call.size() && k < outcomes.size(); ++k) {
-      answers += Answer(call[k], outcomes[k], subject.Info().coverage);
+      std::string answer = Answer(call[k], outcomes[k], subject.Info().coverage);
+      outcomes[k].drawing = {};  // a large one takes much memory
+      if (answers.empty()) {
+        answers = std::move(answer);
+      } else {
+        answers += answer;
+      }
     }
     if (outcomes.size() < call.size() &&
         (outcomes.empty() || !EndsTheCall(outcomes.back().end.stop))) {

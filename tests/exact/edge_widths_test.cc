@@ -280,6 +280,43 @@ TEST(WitnessScene, IsDrawnWronglyByARegisterOfOneBitLess) {
   }
 }
 
+TEST(InputsBeyondBits, HaveTheWrongSignInARegisterOfSoManyBits) {
+  for (const EdgeUnit& unit :
+       {UnitOf(12, 4, 4096, 8), UnitOf(12, 0, 4096, 8, false), UnitOf(7, 2, 64, 8)}) {
+    std::map<std::string, int> widest;
+    for (const EdgeWidth& width : EdgeWidths(unit)) widest[width.id] = width.bits;
+    std::map<std::string, int> beyond;
+    for (const EdgeWidth& input : InputsBeyondBits(unit)) {
+      const int bits = input.bits - 1;
+      EXPECT_EQ(SignedBits(input.extreme, input.extreme), input.bits) << input.id;
+      EXPECT_NE(WrappedTo(input.extreme, bits) > 0, input.extreme > 0) << input.id;
+      ++beyond[input.id.substr(0, input.id.find("-beyond-"))];
+      if (input.form != "area") continue;
+      EXPECT_EQ(EdgeOf(input.witness), input.extreme) << input.id;
+      const Scene scene = WitnessScene(unit, input);
+      const double unit_of_area = std::ldexp(1, -2 * unit.UnitBits());
+      const auto& v = scene.vertices;
+      EXPECT_EQ((v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[2].y - v[0].y) * (v[1].x - v[0].x),
+                static_cast<double>(input.extreme) * unit_of_area);
+    }
+    for (const std::string id : {"area-e-vertex", "direct-e-box", "stepped-e-target"}) {
+      EXPECT_EQ(beyond[id], widest[id] - 1 - kFewestEdgeBits) << id;
+    }
+  }
+}
+
+// An area of 4095^2, in quarters of a pixel, is 4 in 12 bits: the extreme input passes there.
+TEST(InputsBeyondBits, FindWhatTheExtremeInputMisses) {
+  const EdgeUnit unit = UnitOf(12, 0, 64, 8, false);
+  const std::vector<EdgeWidth> widths = EdgeWidths(unit);
+  const auto area = std::ranges::find(widths, "area-e-vertex", &EdgeWidth::id);
+  EXPECT_EQ(WrappedTo(area->extreme, 12) > 0, area->extreme > 0);
+  const std::vector<EdgeWidth> inputs = InputsBeyondBits(unit);
+  const auto beyond = std::ranges::find(inputs, "area-e-vertex-beyond-12", &EdgeWidth::id);
+  ASSERT_NE(beyond, inputs.end());
+  EXPECT_NE(WrappedTo(beyond->extreme, 12) > 0, beyond->extreme > 0);
+}
+
 TEST(EdgeWidths, WantASampleInTheRange) {
   EXPECT_THROW(EdgeWidths(UnitOf(1, 0, 4, 2)), InputError);
   EXPECT_NO_THROW(EdgeWidths(UnitOf(1, 1, 4, 2, false)));

@@ -76,6 +76,8 @@ constexpr Row kRows[] = {
     {"IntegerTranslationMovesCoverage", "mutant:drop-left-of-target"},
     {"IntegerTranslationMovesCoverage", "mutant:samples-vary-where-fixed"},
     {"LiftedTrianglesCoverLikeProjectedOnes", "mutant:clip-w-ignored"},
+    {"LargeTargetIsCoveredLikeASmallOne", "mutant:target-index-in-float"},
+    {"LargeTargetIsCoveredLikeASmallOne", "mutant:target-bins-of-8-bits"},
     {"LongListDrawsLikeItsEnd", "mutant:list-ids-of-16-bits"},
     {"LongListDrawsLikeItsEnd", "mutant:list-ids-in-a-float"},
     {"LongListDrawsLikeItsEnd", "mutant:list-ids-in-a-colour"},

@@ -67,8 +67,12 @@ class WidthsTest(unittest.TestCase):
         done = run("widths", "--fixed", "7.2", "--target", "64x48", "--save", "cases",
                    folder=self.folder)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(len(os.listdir(os.path.join(self.folder, "cases"))), 49)
-        for name in ("direct-e-box", "direct-e-target", "affine-c"):
+        names = os.listdir(os.path.join(self.folder, "cases"))
+        self.assertEqual(sum("-beyond-" not in name for name in names), 49)
+        areas = sorted(int(name.split("-")[-1][:-5]) for name in names
+                       if name.startswith("area-e-vertex-beyond-"))  # fmt: skip
+        self.assertEqual(areas, list(range(8, 18)))  # an area takes 19 bits
+        for name in ("direct-e-box", "direct-e-target", "affine-c", "area-e-vertex-beyond-12"):
             replayed = run("replay", f"cases/{name}.json", folder=self.folder)
             self.assertEqual(replayed.returncode, 0, replayed.stdout + replayed.stderr)
 

@@ -9,7 +9,7 @@ import unittest
 
 SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
 STEPS = SCRIPTS / "steps.sh"
-ENOUGH = 1500  # seconds; a test that waits for so long has failed
+ENOUGH = 900  # seconds; a test that waits for so long has failed
 
 
 class StepsTest(unittest.TestCase):
@@ -68,8 +68,8 @@ class StepsTest(unittest.TestCase):
         environment = {**os.environ, "TERM": "xterm"}
         environment.pop("CI", None)
         script = f"source {STEPS}\nstep short sh -c 'echo chatter'"
-        done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=ENOUGH, stdout=follower,
-                              stderr=follower, env=environment, check=False)  # fmt: skip
+        done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=ENOUGH, check=False,
+                              stdout=follower, stderr=follower, env=environment)  # fmt: skip
         os.close(follower)
         said = os.read(leader, 65536).decode()
         os.close(leader)
@@ -95,8 +95,10 @@ class StagesTest(unittest.TestCase):
         """Runs all stages, each of them `true` but those given. Returns the status and a line for
         each."""
         lines = [f"stage_{name}() {{ {bodies.get(name, 'true')}; }}" for name in self.STAGES]
-        script = "\n".join([f"source {SCRIPTS / 'test_stages'}", *lines, 'run_stages "${STAGES[@]}"',
-                            'printf "summary %s\\n" "${summary[@]}"', 'exit "$status"'])  # fmt: skip
+        begin = f"source {SCRIPTS / 'test_stages'}"
+        end = ('run_stages "${STAGES[@]}"', 'printf "summary %s\\n" "${summary[@]}"',
+               'exit "$status"')  # fmt: skip
+        script = "\n".join([begin, *lines, *end])
         done = subprocess.run(["bash", "-c", script], text=True, timeout=ENOUGH, check=False,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)  # fmt: skip
         said = [line.removeprefix("summary ") for line in done.stdout.splitlines()

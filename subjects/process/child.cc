@@ -26,8 +26,9 @@ namespace {
 constexpr std::size_t kChunk = 1 << 16;
 // What a pipe holds, where the system allows it: so much goes over it in one turn.
 constexpr int kPipeBytes = 1 << 20;
-constexpr int kMomentLooks = 50;  // at whether it ended: about 200 ms
-constexpr int kExitLooks = 2000;  // about 10 s
+constexpr std::chrono::milliseconds kWatch{10};  // between two looks at its memory
+constexpr int kMomentLooks = 50;                 // at whether it ended: about 200 ms
+constexpr int kExitLooks = 2000;                 // about 10 s
 
 std::string Reason(int error) { return std::generic_category().message(error); }
 
@@ -149,6 +150,7 @@ PipeEnd ChildProcess::Exchange(Patience& patience) {
   const bool is_late = now >= patience.deadline;
   const bool is_over = patience.time.IsOver();
   Clock::duration wait = std::min(patience.time.UntilNextLook(), patience.deadline - now);
+  if (most_resident_ != 0) wait = std::min<Clock::duration>(wait, kWatch);
   if (is_late || is_over) wait = {};
   const auto rounded_up = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
   const bool has_words = to_child_ >= 0 && said_ < to_say_.size();
@@ -169,6 +171,8 @@ PipeEnd ChildProcess::Exchange(Patience& patience) {
   if (!moved && is_over) return PipeEnd::kTimedOut;
   if (!moved && is_late) return PipeEnd::kDeadline;
   patience.time.Look(moved);
+  if (!moved && is_over) return PipeEnd::kTimedOut;
+  if (most_resident_ != 0 && MemoryOf(pid_).resident > most_resident_) return PipeEnd::kTooLarge;
   return PipeEnd::kOpen;
 }
 

@@ -39,6 +39,7 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
         throw InputError(place, "it " + ending, "mend the program, or give another");
       }
       case PipeEnd::kTooLong:
+      case PipeEnd::kTooLarge:
         break;
       case PipeEnd::kTimedOut:
       case PipeEnd::kDeadline:

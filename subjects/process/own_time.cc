@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -164,6 +165,28 @@ bool IsExiting(pid_t process) {
 
 std::string SecondsText(double seconds) {
   std::array<char, 32> digits{};
+GroupMemory MemoryOf(pid_t group) {
+  GroupMemory memory;
+  LookAtGroup(group, [&](pid_t, const Stat&, const fs::path& process) {
+    std::ifstream in(process / "status");
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t value = line.find(':') + 1;
+      const auto bytes = [&] { return 1024 * std::strtoull(line.c_str() + value, nullptr, 10); };
+      if (line.starts_with("VmRSS:")) memory.resident += bytes();
+      if (line.starts_with("VmPeak:"))
+        memory.most_address_space = std::max<std::uint64_t>(memory.most_address_space, bytes());
+    }
+  });
+  return memory;
+}
+
+std::uint64_t AddressSpace(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/statm");
+  std::uint64_t pages = 0;
+  in >> pages;
+  return in ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
+}
+
   std::snprintf(digits.data(), digits.size(), "%.3g s", seconds);
   return digits.data();
 }

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -55,6 +56,15 @@ class OwnTime {
 std::optional<double> ProcessorSeconds(pid_t group);
 
 /// Whether the process is past its last instruction, though it may still be there.
+/// What the processes of a group take of memory, in bytes. 0 where the system does not report it.
+struct GroupMemory {
+  std::uint64_t resident = 0;            ///< all of them together
+  std::uint64_t most_address_space = 0;  ///< the most that one has taken so far
+};
+GroupMemory MemoryOf(pid_t group);
+/// The address space of one process now.
+std::uint64_t AddressSpace(pid_t process);
+
 bool IsExiting(pid_t process);
 
 /// "0.05 s", "10 s".

@@ -65,6 +65,9 @@ bool HasBusyThread(const fs::path& process) {
   return false;
 }
 
+// Of a time between two looks, so many ticks at most count as sleep.
+constexpr double kMostTicksSeen = 2;
+
 struct GroupState {
   double seconds = 0;
   bool busy = false;
@@ -126,7 +129,12 @@ void OwnTime::Look(bool moved) {
   const bool is_first = !before_;
   before_ = state->seconds;
   used_ += used;
-  if (!moved && !state->busy && !is_first) asleep_ += std::max(passed - used, 0.0);
+  if (moved || state->busy || is_first) return;
+  // A look that comes late, because this process had to wait itself, does not see what the group
+  // did meanwhile: it may have waited for a processor, too.
+  const double seen =
+      std::min(passed, kMostTicksSeen * std::chrono::duration<double>(tick_).count());
+  asleep_ += std::max(seen - used, 0.0);
 }
 
 double OwnTime::Counted() const { return std::min(used_ + asleep_, Elapsed()); }
@@ -157,14 +165,6 @@ std::optional<double> ProcessorSeconds(pid_t group) {
   return sum;
 }
 
-bool IsExiting(pid_t process) {
-  constexpr unsigned kExiting = 0x4;  // PF_EXITING of the kernel
-  const std::optional<Stat> stat = ReadStat("/proc/" + std::to_string(process) + "/stat");
-  return stat && (stat->flags & kExiting) != 0;
-}
-
-std::string SecondsText(double seconds) {
-  std::array<char, 32> digits{};
 GroupMemory MemoryOf(pid_t group) {
   GroupMemory memory;
   LookAtGroup(group, [&](pid_t, const Stat&, const fs::path& process) {
@@ -187,6 +187,14 @@ std::uint64_t AddressSpace(pid_t process) {
   return in ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
+bool IsExiting(pid_t process) {
+  constexpr unsigned kExiting = 0x4;  // PF_EXITING of the kernel
+  const std::optional<Stat> stat = ReadStat("/proc/" + std::to_string(process) + "/stat");
+  return stat && (stat->flags & kExiting) != 0;
+}
+
+std::string SecondsText(double seconds) {
+  std::array<char, 32> digits{};
   std::snprintf(digits.data(), digits.size(), "%.3g s", seconds);
   return digits.data();
 }

@@ -13,7 +13,8 @@ namespace rasterproof::subjects {
 
 /// Counts processor time of a process group where it computes, and wall clock where it sleeps.
 ///
-/// Waiting for a processor or for a disk is not counted, and processor time of many threads counts
+/// Waiting for a processor or for a disk is not counted, nor is sleep that nobody looked at because
+/// this process waited for a processor; processor time of many threads counts
 /// as at most the wall clock: the sum never exceeds wall clock. So that a wait ends even if the
 /// machine gives the group no time, kMostWaiting times the limit in wall clock ends it too.
 ///
@@ -55,7 +56,6 @@ class OwnTime {
 /// ended children in ticks of 10 ms. Nothing if /proc shows no process of the group.
 std::optional<double> ProcessorSeconds(pid_t group);
 
-/// Whether the process is past its last instruction, though it may still be there.
 /// What the processes of a group take of memory, in bytes. 0 where the system does not report it.
 struct GroupMemory {
   std::uint64_t resident = 0;            ///< all of them together
@@ -65,6 +65,7 @@ GroupMemory MemoryOf(pid_t group);
 /// The address space of one process now.
 std::uint64_t AddressSpace(pid_t process);
 
+/// Whether the process is past its last instruction, though it may still be there.
 bool IsExiting(pid_t process);
 
 /// "0.05 s", "10 s".

@@ -34,6 +34,8 @@ inline constexpr const char* kInterruptedText = "the command was interrupted bef
 inline constexpr const char* kStillRan = "still ran";
 /// How Ending() begins for a child that ended by itself.
 inline constexpr const char* kEnded = "ended with status ";
+/// The text of Ending() for a child that ended by itself and reports no failure.
+inline constexpr const char* kEndedWell = "ended with status 0";
 
 /// The limits on a child's time: on its own time (own_time.h), and a deadline.
 struct Patience {

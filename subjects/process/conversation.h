@@ -152,7 +152,7 @@ class ProcessSubject::Child {
                              " before its answer was whole";
     if (ending == kStillRan) BreakDown(what);
     if (!ending.starts_with(kEnded)) throw Ended(what, Ended::How::kBySignal);
-    const bool is_clean = ending == std::string(kEnded) + "0" && HasAnswered() && !has_begun_;
+    const bool is_clean = ending == kEndedWell && HasAnswered() && !has_begun_;
     throw Ended(what, is_clean ? Ended::How::kCleanly : Ended::How::kByItself);
   }
 

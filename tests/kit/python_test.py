@@ -285,6 +285,8 @@ class Strategies(unittest.TestCase):
         except ModuleNotFoundError:
             self.skipTest("no Hypothesis; install python3-hypothesis")
         self.settings = hypothesis.settings(max_examples=300, deadline=None, database=None,
+                                            suppress_health_check=[
+                                                hypothesis.HealthCheck.too_slow],
                                             derandomize=True)  # fmt: skip
 
     def test_triangles_near_edges_find_a_wrong_tie_and_shrink_it(self):

@@ -201,6 +201,9 @@ TEST(AHang, IsNoCrashThatTookItsTime) {
     if (++n == 3) BreakDown("it was killed by signal 6");
   };
   const PropertyResult result = RunTimed(time, crashes_once, {.cases = 9, .time_limit = 10});
+  EXPECT_EQ(result.outcome, Outcome::kViolated) << "whatever ended a process is told";
+  EXPECT_TRUE(HasWords(result.message, "killed by signal 6; it did not happen again"))
+      << result.message;
   EXPECT_TRUE(HasWords(result.message, "not deterministic")) << result.message;
 }
 

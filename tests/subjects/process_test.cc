@@ -116,7 +116,7 @@ TEST(ProcessSubject, TellsOfABatchWhatItsPartsDoNotDoAgain) {
   SubjectInfo info = Info();
   info.takes_batches = true;
   const std::vector<DrawJob> jobs(8);
-  ProcessSubject hangs(OnTheFifth("sleep 1000"), info, {.seconds = 0.1});
+  ProcessSubject hangs(OnTheFifth("sleep 1000"), info, {.seconds = 0.2});
   const std::vector<DrawOutcome> hung = hangs.DrawMany(jobs);
   ASSERT_EQ(hung.size(), 1U);
   EXPECT_EQ(hung[0].end.stop, Stop::kHung);

@@ -112,17 +112,17 @@ std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod 
 /// draw of the same vertices without triangles, the conversion, which is reported separately.
 ///
 /// A crash in this process would end it. So `first`, a copy in another process, draws each family
-/// before, within `most_seconds`; with nullptr nothing is drawn before.
+/// before; with nullptr nothing is drawn before.
 ///
-/// Domain:     one sample a pixel, in its centre; the subjects outlive the contender.
+/// Domain:     one sample a pixel, in its centre; the subjects outlive the contender. A subject in
+///             another process has a limit of its own, `most_seconds`, for a draw.
 /// Error:      of Load(): what `first` throws.
 std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first = nullptr,
                                                 double most_seconds = 10);
 
 /// A user's subject in another process. Its time is the slope of the processor time of all its
 /// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and
-/// answering drop out; of one that takes no repeats, over requests in one call. Its first draw of a
-/// family may take `most_seconds`.
+/// answering drop out; of one that takes no repeats, over requests in one call.
 ///
 /// Domain:     as MakeSubjectContender.
 /// Error:      of its calls: what the subject throws, where it breaks down over a family.

@@ -155,22 +155,17 @@ class SubjectContender : public Contender {
   std::uint64_t outside_ = 0;  // samples outside of the areas of triangles drawn alone
 };
 
-// Error: SubjectStop if the draw is not done by then.
+// What a draw beyond the subject's own limit says.
 template <class Draw>
-void InTime(Subject& subject, double seconds, const Draw& draw) {
-  using Clock = std::chrono::steady_clock;
-  subject.SetDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                         std::chrono::duration<double>(seconds)));
+void InTime(double seconds, const Draw& draw) {
   try {
     draw();
   } catch (const SubjectStop& stop) {
-    subject.SetDeadline(Clock::time_point::max());
-    if (!EndsTheCall(stop.stop()) || IsBreakdown(stop.stop())) throw;
+    if (stop.stop() != Stop::kTooSlow) throw;
     throw SubjectStop(stop.stop(), "one draw takes more than " +
                                        std::to_string(std::lround(seconds)) +
                                        " s; give a larger --budget, or fewer families");
   }
-  subject.SetDeadline(Clock::time_point::max());
 }
 
 class LibraryContender final : public SubjectContender {
@@ -181,7 +176,7 @@ class LibraryContender final : public SubjectContender {
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
     if (first_ != nullptr) {
-      InTime(*first_, most_seconds_, [&] { DrawOne(*first_, Job(scene_)); });
+      InTime(most_seconds_, [&] { DrawOne(*first_, Job(scene_)); });
     }
   }
 
@@ -234,7 +229,7 @@ class ProgramContender final : public SubjectContender {
   // The first draw starts it, and the second one is warm.
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
-    InTime(subject_, most_seconds_, [&] { TimeOf(Job(scene_), 1); });
+    InTime(most_seconds_, [&] { TimeOf(Job(scene_), 1); });
     const double one = TimeOf(Job(scene_), 1).wall_seconds;
     if (method_.times_requests) {
       conversion_seconds_ = SlopeOf(Job(empty_), 1).seconds / Triangles();

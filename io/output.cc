@@ -127,8 +127,8 @@ void SyncFolder(const fs::path& path) {
   if (descriptor.get() >= 0) ::fsync(descriptor.get());
 }
 
-// How long a pipe may be open at one end alone: 2 s.
-constexpr int kMostLooks = 200;
+// How long a pipe may be open at one end alone: 5 s at least.
+constexpr int kMostLooks = 500;
 constexpr int kMillisecondsALook = 10;
 
 // Waits until somebody writes into a pipe that was opened without waiting; gives its first byte, if

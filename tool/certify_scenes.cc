@@ -78,7 +78,7 @@ void SetReason(const SubjectStop& end, Attempt& attempt) {
     case Stop::kTooSlow:
     case Stop::kDeadline:
       attempt.outcome = Outcome::kInconclusive;
-      attempt.reason = "too slow to judge: " + why;
+      attempt.reason = "not judged: " + why;
       return;
   }
 }

@@ -204,6 +204,9 @@ struct Contenders {
     own = list.size();
     // Of the first draw of a family: some of these follow.
     const double most_seconds = std::max(5.0, options.budget / 10);
+    // In its own time, however loaded the machine is; and none is shown to hang.
+    OutsideLimits().seconds = most_seconds;
+    OutsideLimits().long_waits = 0;
     for (const std::string& file : options.plugins) {
       libraries.push_back(PluginOf(file));
       outside.push_back(ResolveOutside(std::string(kPluginPrefix) + file)());

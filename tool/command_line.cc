@@ -353,7 +353,7 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
       std::cerr << "rasterproof: the subject failed: " << why << '\n';
       return kExitViolated;
     }
-    std::cerr << "rasterproof: the subject was too slow to judge: " << why << '\n';
+    std::cerr << "rasterproof: the subject could not be judged: " << why << '\n';
     return Interrupted() ? InterruptStatus() : kExitInconclusive;
   } catch (const std::bad_alloc&) {
     std::cerr << "rasterproof: not enough memory; use a smaller target or scene\n";

@@ -83,7 +83,7 @@ class Investigation {
   std::span<const FailedProperty> failures_;
   double seconds_;
   double end_ = 0;    // of this thread's processor time
-  double asked_ = 0;  // seconds of the clock that the subject took after the gathering
+  double asked_ = 0;  // SecondsOfDraws that the subject took after the gathering
   std::unique_ptr<Subject> subject_;
   std::unique_ptr<Subject> stated_;
   std::vector<Observation> observations_;  // modelled wrong ones first
@@ -173,9 +173,9 @@ void Investigation::Split(std::vector<Fitting>& left, const Case& c) {
   o.seen = first.draws;
   const auto agrees = [&](const Fitting& fitting) { return Reproduces(*fitting.draws, o); };
   if (std::ranges::all_of(left, agrees) && (!AreFew() || Reproduces(*stated_, o))) return;
-  const double begun = WallSeconds();
+  const double begun = SecondsOfDraws(*subject_);
   Answers answers = std::move(Submit(*subject_, {&request, 1}).front());
-  asked_ += WallSeconds() - begun;
+  asked_ += SecondsOfDraws(*subject_) - begun;
   if (answers.end.stop != Stop::kNone) return;
   o.seen = std::move(answers.draws);
   std::vector<bool> stays;

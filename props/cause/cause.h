@@ -55,8 +55,8 @@ struct Explanation {
   std::size_t wrong = 0;      ///< of these, draws that differ from the stated model
 };
 
-/// What `check` takes, in seconds: a quarter of it, by the clock, to gather draws, and the rest, of
-/// processor time, to compare suspects with them: a busy machine takes less of that away.
+/// What `check` takes, in seconds of processor time: a quarter of it to gather draws, and the rest
+/// to compare suspects with them. A subject outside has four times as much of the clock to draw.
 inline constexpr double kCauseSeconds = 8;
 
 /// The names that a cause may have: the sections of docs/causes.md, "none" among them.

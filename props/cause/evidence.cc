@@ -31,10 +31,10 @@ constexpr std::uint64_t kFirstAround = std::uint64_t{1} << 20;
 class Gathering {
  public:
   Gathering(Subject& subject, Gathered& found, double seconds)
-      : subject_(subject), found_(found), end_(WallSeconds() + seconds) {}
+      : subject_(subject), found_(found), end_(SecondsOfDraws(subject) + seconds) {}
 
   bool IsOver() {
-    if (!broke_down_ && WallSeconds() > end_) found_.is_cut_short = true;
+    if (!broke_down_ && SecondsOfDraws(subject_) > end_) found_.is_cut_short = true;
     return broke_down_ || found_.is_cut_short;
   }
   void AskAll(std::size_t failure, const Property& property, const Case& c);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/case.h"
+#include "core/clock.h"
 #include "core/drawing.h"
 #include "core/subject.h"
 #include "props/placed_case.h"
@@ -42,12 +43,18 @@ struct Gathered {
   bool is_cut_short = false;  ///< time was up before all was asked
 };
 
+/// The clock that the subject's draws are limited by: processor time of this thread if it draws
+/// here; else a quarter of the time that goes by, as a loaded machine keeps much of that from it.
+inline double SecondsOfDraws(const Subject& subject) {
+  constexpr double kShare = 0.25;
+  return subject.SharesCalls() ? kShare * WallSeconds() : ThreadSeconds();
+}
+
 /// Gathers what the subject draws: of each failed property's cases all checks, of a case around
 /// them one draw. The failing cases come first.
 ///
 /// Domain:     failed properties of the subject.
-/// Returns:    fewer observations if the subject breaks down, or after so many seconds of the
-///             clock: the time is the subject's.
+/// Returns:    fewer observations if the subject breaks down, or after so many SecondsOfDraws.
 Gathered Gather(Subject& subject, std::span<const FailedProperty> failures, double seconds);
 
 /// Whether suspects can draw all that the observation asks, and the profile leaves none of it open.

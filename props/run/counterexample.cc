@@ -34,6 +34,13 @@ Counterexample NotDeterministic(const Case& c, const Verdict& seen, const Verdic
           0};
 }
 
+// A breakdown is a finding, whatever comes of a second try.
+Counterexample BrokeDownOnce(Counterexample found) {
+  found.outcome = Outcome::kViolated;
+  found.message = found.verdict.message + "; it did not happen again: " + found.message;
+  return found;
+}
+
 Counterexample Violated(const Case& c, const Verdict& verdict) {
   return {c, verdict, Outcome::kViolated, verdict.message, 0};
 }
@@ -173,7 +180,8 @@ Counterexample InCompany(Subject& subject, const Property& property, const Failu
     const std::vector<Trial> again = TryTogether(subject, property, failure.company, options.stop);
     if (std::ranges::none_of(again, is_violated) && std::ranges::none_of(again, is_inconclusive) &&
         MayGoOn(budget)) {
-      return NotDeterministic(c, seen, alone);
+      Counterexample once = NotDeterministic(c, seen, alone);
+      return IsBreakdown(failure.trial.stop) ? BrokeDownOnce(std::move(once)) : once;
     }
   }
   return {c, seen, Outcome::kViolated,
@@ -191,10 +199,14 @@ Counterexample Confirmed(Subject& subject, const Property& property, const Case&
   Counterexample found =
       RunOnceMore(FreshSubject(subject, options, budget).Get(), property, smallest, seen);
   const Case& failing = failure.company[failure.at];
-  if (found.outcome == Outcome::kViolated || smallest == failing) return found;
+  if (found.outcome == Outcome::kViolated) return found;
+  const bool broke_down = IsBreakdown(failure.trial.stop);
+  if (smallest == failing) return broke_down ? BrokeDownOnce(std::move(found)) : found;
   Counterexample first = RunOnceMore(FreshSubject(subject, options, budget).Get(), property,
                                      failing, failure.trial.verdict);
-  if (first.outcome != Outcome::kViolated) return found;
+  if (first.outcome != Outcome::kViolated) {
+    return broke_down ? BrokeDownOnce(std::move(first)) : found;
+  }
   first.message += "; smaller cases fail only sometimes";
   return first;
 }

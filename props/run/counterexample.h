@@ -45,8 +45,9 @@ struct Failure {
 /// An evaluation gets one time limit in all, or what the pace leaves of it after a hang. That is no
 /// time to prove that a case hangs: shrinking ends after kMostHangs that took it, and what hung
 /// hangs again if it has no answer then.
-/// What is violated in company alone is violated if the company does it again. Ends in time when
-/// the budget does, or if it is stopped; then the message says so.
+/// What is violated in company alone is violated if the company does it again; what broke down is,
+/// whatever comes of that. Ends in time when the budget does, or if it is stopped; then the message
+/// says so.
 Counterexample Investigate(Subject& subject, const Property& property, const Failure& failure,
                            const CampaignOptions& options, Budget& budget);
 

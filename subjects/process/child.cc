@@ -26,8 +26,9 @@ namespace {
 constexpr std::size_t kChunk = 1 << 16;
 // What a pipe holds, where the system allows it: so much goes over it in one turn.
 constexpr int kPipeBytes = 1 << 20;
-constexpr int kMomentLooks = 50;  // at whether it ended: about 200 ms
-constexpr int kExitLooks = 2000;  // about 10 s
+constexpr std::chrono::milliseconds kWatch{10};  // between two looks at its memory
+constexpr int kMomentLooks = 50;                 // at whether it ended: about 200 ms
+constexpr int kExitLooks = 2000;                 // about 10 s
 
 std::string Reason(int error) { return std::generic_category().message(error); }
 
@@ -149,6 +150,7 @@ PipeEnd ChildProcess::Exchange(Patience& patience) {
   const bool is_late = now >= patience.deadline;
   const bool is_over = patience.time.IsOver();
   Clock::duration wait = std::min(patience.time.UntilNextLook(), patience.deadline - now);
+  if (most_resident_ != 0) wait = std::min<Clock::duration>(wait, kWatch);
   if (is_late || is_over) wait = {};
   const auto rounded_up = std::chrono::ceil<std::chrono::milliseconds>(wait).count();
   const bool has_words = to_child_ >= 0 && said_ < to_say_.size();
@@ -166,8 +168,11 @@ PipeEnd ChildProcess::Exchange(Patience& patience) {
     if (state != PipeEnd::kOpen) return state;
   }
   // Output that came in the meantime counts, even if late.
-  if (!moved && is_over) return PipeEnd::kTimedOut;
+  // Where both came first, the deadline says it: on a loaded machine it is a matter of chance
+  // whether a limit is seen to be over at the deadline or behind it.
   if (!moved && is_late) return PipeEnd::kDeadline;
+  if (!moved && is_over) return PipeEnd::kTimedOut;
+  if (most_resident_ != 0 && MemoryOf(pid_).resident > most_resident_) return PipeEnd::kTooLarge;
   patience.time.Look(moved);
   return PipeEnd::kOpen;
 }

@@ -23,6 +23,7 @@ enum class PipeEnd : std::uint8_t {
   kTooLong,      ///< a line has more bytes than allowed
   kTimedOut,     ///< the limit on its own time came first
   kDeadline,     ///< the deadline came first
+  kTooLarge,     ///< it holds more memory than it may (WatchMemory)
   kInterrupted,  ///< the command is to end (groups.h)
 };
 
@@ -33,6 +34,8 @@ inline constexpr const char* kInterruptedText = "the command was interrupted bef
 inline constexpr const char* kStillRan = "still ran";
 /// How Ending() begins for a child that ended by itself.
 inline constexpr const char* kEnded = "ended with status ";
+/// The text of Ending() for a child that ended by itself and reports no failure.
+inline constexpr const char* kEndedWell = "ended with status 0";
 
 /// The limits on a child's time: on its own time (own_time.h), and a deadline.
 struct Patience {
@@ -61,6 +64,12 @@ class ChildProcess {
   }
   /// Processor time of it and its group since they began. Nothing if the system does not report it.
   std::optional<double> Used() const { return ProcessorSeconds(pid_); }
+  /// From now on an exchange ends once the group holds so many bytes of memory.
+  void WatchMemory(std::uint64_t most_resident) { most_resident_ = most_resident; }
+  /// The address space of the child now; 0 if the system does not report it.
+  std::uint64_t Bytes() const { return AddressSpace(pid_); }
+  /// The most address space that a process of the group has taken so far.
+  std::uint64_t MostBytes() const { return MemoryOf(pid_).most_address_space; }
   /// Queues text for the child. It is written while answers are read, so that neither side waits
   /// for the other's full pipe.
   void Say(std::string text);
@@ -94,6 +103,7 @@ class ChildProcess {
   std::string End(int looks);
 
   pid_t pid_ = -1;
+  std::uint64_t most_resident_ = 0;
   int to_child_ = -1;
   int from_child_ = -1;
   std::string to_say_;

@@ -35,10 +35,11 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
         continue;
       case PipeEnd::kClosed: {
         const std::string ending = process.Ending();
-        if (ending == "ended with status 0") return output;
+        if (ending == kEndedWell) return output;
         throw InputError(place, "it " + ending, "mend the program, or give another");
       }
       case PipeEnd::kTooLong:
+      case PipeEnd::kTooLarge:
         break;
       case PipeEnd::kTimedOut:
       case PipeEnd::kDeadline:

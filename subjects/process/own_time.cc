@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -63,6 +64,9 @@ bool HasBusyThread(const fs::path& process) {
   }
   return false;
 }
+
+// Of a time between two looks, so many ticks at most count as sleep.
+constexpr double kMostTicksSeen = 2;
 
 struct GroupState {
   double seconds = 0;
@@ -125,7 +129,12 @@ void OwnTime::Look(bool moved) {
   const bool is_first = !before_;
   before_ = state->seconds;
   used_ += used;
-  if (!moved && !state->busy && !is_first) asleep_ += std::max(passed - used, 0.0);
+  if (moved || state->busy || is_first) return;
+  // A look that comes late, because this process had to wait itself, does not see what the group
+  // did meanwhile: it may have waited for a processor, too.
+  const double seen =
+      std::min(passed, kMostTicksSeen * std::chrono::duration<double>(tick_).count());
+  asleep_ += std::max(seen - used, 0.0);
 }
 
 double OwnTime::Counted() const { return std::min(used_ + asleep_, Elapsed()); }
@@ -154,6 +163,28 @@ std::optional<double> ProcessorSeconds(pid_t group) {
     sum = sum.value_or(0) + stat.children_seconds + (has_clock ? SecondsOf(clock) : own);
   });
   return sum;
+}
+
+GroupMemory MemoryOf(pid_t group) {
+  GroupMemory memory;
+  LookAtGroup(group, [&](pid_t, const Stat&, const fs::path& process) {
+    std::ifstream in(process / "status");
+    for (std::string line; std::getline(in, line);) {
+      const std::size_t value = line.find(':') + 1;
+      const auto bytes = [&] { return 1024 * std::strtoull(line.c_str() + value, nullptr, 10); };
+      if (line.starts_with("VmRSS:")) memory.resident += bytes();
+      if (line.starts_with("VmPeak:"))
+        memory.most_address_space = std::max<std::uint64_t>(memory.most_address_space, bytes());
+    }
+  });
+  return memory;
+}
+
+std::uint64_t AddressSpace(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/statm");
+  std::uint64_t pages = 0;
+  in >> pages;
+  return in ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 bool IsExiting(pid_t process) {

@@ -5,6 +5,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -12,7 +13,8 @@ namespace rasterproof::subjects {
 
 /// Counts processor time of a process group where it computes, and wall clock where it sleeps.
 ///
-/// Waiting for a processor or for a disk is not counted, and processor time of many threads counts
+/// Waiting for a processor or for a disk is not counted, nor is sleep that nobody looked at because
+/// this process waited for a processor; processor time of many threads counts
 /// as at most the wall clock: the sum never exceeds wall clock. So that a wait ends even if the
 /// machine gives the group no time, kMostWaiting times the limit in wall clock ends it too.
 ///
@@ -53,6 +55,15 @@ class OwnTime {
 /// Returns the processor time of the group's processes in all threads, by their own clocks; for
 /// ended children in ticks of 10 ms. Nothing if /proc shows no process of the group.
 std::optional<double> ProcessorSeconds(pid_t group);
+
+/// What the processes of a group take of memory, in bytes. 0 where the system does not report it.
+struct GroupMemory {
+  std::uint64_t resident = 0;            ///< all of them together
+  std::uint64_t most_address_space = 0;  ///< the most that one has taken so far
+};
+GroupMemory MemoryOf(pid_t group);
+/// The address space of one process now.
+std::uint64_t AddressSpace(pid_t process);
 
 /// Whether the process is past its last instruction, though it may still be there.
 bool IsExiting(pid_t process);

@@ -15,119 +15,10 @@
 #include "core/subject_info.h"
 #include "core/target_size.h"
 #include "subjects/process/child.h"
+#include "subjects/process/conversation.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {
-
-// Its own time was over. What is thrown to callers says what that means.
-class ProcessSubject::OutOfTime : public SubjectStop {
- public:
-  explicit OutOfTime(const OwnTime& time)
-      : SubjectStop(Stop::kTooSlow, time.Text()), starved_(time.WasStarved()) {}
-  bool WasStarved() const { return starved_; }
-
- private:
-  bool starved_;
-};
-
-// What came of one call.
-struct ProcessSubject::Call {
-  std::vector<DrawOutcome> outcomes;  ///< up to the one that ended it
-  double counted = 0;                 ///< own time that the last answer took
-  std::optional<OutOfTime> slow;      ///< if that ended it
-};
-
-namespace {
-
-// The program ended by itself before its answer was whole.
-class EndedByItself : public SubjectStop {
- public:
-  explicit EndedByItself(const std::string& how) : SubjectStop(Stop::kBrokeDown, how) {}
-};
-
-// The least n of [low, high] that does it, if all above do as well: high is known to.
-std::size_t LeastThat(std::size_t low, std::size_t high,
-                      const std::function<bool(std::size_t)>& does) {
-  while (low < high) {
-    const std::size_t middle = low + (high - low) / 2;
-    if (does(middle)) {
-      high = middle;
-    } else {
-      low = middle + 1;
-    }
-  }
-  return high;
-}
-
-// How many times the limit a draw gets that is to show whether it hangs.
-constexpr double kHangFactor = 10;
-// How often in a subject's life that is tried.
-constexpr int kMostTries = 3;
-
-}  // namespace
-
-// The running child, and reading its answers.
-class ProcessSubject::Child {
- public:
-  Child(const std::vector<std::string>& command, const ProcessLimits& limits)
-      : process_(command, limits.bytes) {}
-
-  void Ask(std::string request) { process_.Say(std::move(request)); }
-  std::optional<double> Used() const { return process_.Used(); }
-
-  Patience Wait(double seconds, ChildProcess::Clock::time_point deadline) const {
-    return process_.Wait(seconds, deadline);
-  }
-
-  std::string_view Line(Patience& patience, std::size_t most_bytes) {
-    std::string_view line;
-    const PipeEnd end = process_.ReadLine(patience, most_bytes, line);
-    RequireOpen(end, patience, most_bytes);
-    return line;
-  }
-  std::string_view Bytes(Patience& patience, std::size_t count) {
-    std::string_view bytes;
-    const PipeEnd end = process_.ReadBytes(patience, count, bytes);
-    RequireOpen(end, patience, count);
-    return bytes;
-  }
-
-  // Whoever says more than it was asked would be taken for an answer to what comes next.
-  void RequireSilence() {
-    std::string more;
-    if (!process_.HasUnread(more)) return;
-    if (!process_.WasTold()) BreakDown("it spoke before it was asked: " + Quoted(more, 60));
-    BreakDown("it said more than its answer: " + Quoted(more, 60) +
-              "; rows of back faces want `coverage facing-counts`");
-  }
-
- private:
-  void RequireOpen(PipeEnd end, const Patience& patience, std::size_t most_bytes) {
-    switch (end) {
-      case PipeEnd::kOpen:
-        return;
-      case PipeEnd::kTimedOut:
-        if (process_.ReadsNoMore()) BreakDown("it closed its input and gave no answer");
-        throw OutOfTime(patience.time);
-      case PipeEnd::kDeadline:
-        throw SubjectStop(Stop::kDeadline, "its time was up before it answered (--seconds)");
-      case PipeEnd::kInterrupted:
-        throw SubjectStop(Stop::kTooSlow, kInterruptedText);
-      case PipeEnd::kTooLong:
-        BreakDown("a line of its answer is longer than " + std::to_string(most_bytes) +
-                  " bytes, the most that a correct answer to this scene needs");
-      case PipeEnd::kClosed:
-        break;
-    }
-    const std::string ending = process_.Ending();
-    const std::string what = "it " + (ending == kStillRan ? "closed its output" : ending) +
-                             " before its answer was whole";
-    if (ending.starts_with(kEnded)) throw EndedByItself(what);
-    BreakDown(what);
-  }
-
-  ChildProcess process_;
-};
 
 // The child's edge values. A repeated question is sent again.
 class ProcessSubject::ShownEdges final : public StatedEdges {
@@ -164,8 +55,9 @@ ProcessSubject::ProcessSubject(std::vector<std::string> command, SubjectInfo inf
     : command_(std::move(command)),
       info_(std::move(info)),
       limits_(limits),
-      tries_left_(kMostTries),
-      may_not_run_(program == Program::kTheUsers) {
+      waits_left_(limits.long_waits),
+      is_the_users_(program == Program::kTheUsers),
+      may_not_run_(is_the_users_) {
   if (info_.edges.shows_values) edges_ = std::make_unique<ShownEdges>(*this);
 }
 
@@ -202,22 +94,20 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
     return outcomes;
   }
   if (jobs.size() == 1) return {AskAlone(jobs.front())};
-  Call call = Ask(jobs, limits_.seconds);
-  outcomes = std::move(call.outcomes);
-  if (!call.slow) {
-    if (IsBreakdown(outcomes.back().end.stop)) Trace(jobs, outcomes);
-    return outcomes;
-  }
-  // In a batch any job may be slow, or all of them a little: parts of it are asked for. Else it is
-  // the one without an answer.
-  if (info_.takes_batches) {
+  const Wait wait = is_in_parts_ ? Wait{limits_.seconds, limits_.seconds} : LongestWait();
+  Call call = Ask(jobs, wait);
+  if (IsBreakdown(call.outcomes.back().end.stop)) {
+    Trace(jobs, call.outcomes);
+  } else if (call.slow && !info_.takes_batches) {
+    // It is the one without an answer, or whose answer came late.
+    call.outcomes.back() = AskAgain(jobs[call.outcomes.size() - 1], *call.slow, wait);
+  } else if (call.slow) {
+    // In a batch any job may be slow, or all of them a little: from now on they are fewer.
     constexpr std::size_t kPart = 8;
     most_in_a_batch_ = (jobs.size() + kPart - 1) / kPart;
-    outcomes.pop_back();
-  } else {
-    outcomes.back() = AskAgain(jobs[outcomes.size() - 1], *call.slow);
+    if (!call.slow->GaveAnswer()) return AskInParts(jobs, std::move(call), wait);
   }
-  return outcomes;
+  return std::move(call.outcomes);
 }
 
 const EdgeEvaluator* ProcessSubject::Edges() const { return edges_.get(); }
@@ -229,44 +119,68 @@ void ProcessSubject::SetDeadline(Clock::time_point deadline) {
 
 Subject* ProcessSubject::Twin() {
   if (twin_ == nullptr) {
-    twin_ = std::make_unique<ProcessSubject>(command_, info_, limits_);
+    twin_ = std::make_unique<ProcessSubject>(command_, info_, limits_,
+                                             is_the_users_ ? Program::kTheUsers : Program::kOurs);
+    twin_->may_not_run_ = false;
     twin_->SetDeadline(deadline_);
   }
   return twin_.get();
 }
 
-// Asks all open requests in one write. The program may keep finished answers back while it works on
-// later requests, so a slow request is found only by asking each alone.
+// Asks all open requests in one write, and returns the own time that the answers took. Of several,
+// a late one counts: a program may keep finished answers back while it works on later requests.
+double ProcessSubject::AskOpenValues(std::span<EdgeRequest> requests, const Wait& wait,
+                                     std::vector<std::vector<double>>& answers) {
+  std::unique_ptr<Child> child = TakeChild();
+  for (EdgeRequest& request : requests) request.id = next_id_++;
+  child->Ask(RequestsText(requests));
+  double counted = 0;
+  for (const EdgeRequest& request : requests) {
+    Patience patience = child->Wait(wait.most, deadline_);
+    std::vector<double> values = ReadValues(
+        request, info_.name, [&](std::size_t most) { return child->Line(patience, most); });
+    child->TakeAnswer();
+    may_not_run_ = false;
+    const double seconds = patience.time.Counted();
+    if (requests.size() == 1 && wait.IsLong() && seconds > wait.limit) throw OutOfTime(seconds);
+    answers.push_back(std::move(values));
+    counted += seconds;
+  }
+  child->RequireSilence();
+  child_ = std::move(child);
+  return counted;
+}
+
+// Which of several requests is slow is found only by asking each alone.
 std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest> requests) {
   std::vector<std::vector<double>> answers;
-  const auto ask = [&](std::size_t count, double seconds) {
-    std::unique_ptr<Child> child = TakeChild();
-    const std::span<EdgeRequest> open = requests.subspan(answers.size(), count);
-    for (EdgeRequest& request : open) request.id = next_id_++;
-    child->Ask(RequestsText(open));
-    double counted = 0;
-    for (const EdgeRequest& request : open) {
-      Patience patience = child->Wait(seconds, deadline_);
-      answers.push_back(ReadValues(request, info_.name,
-                                   [&](std::size_t most) { return child->Line(patience, most); }));
-      may_not_run_ = false;
-      counted = patience.time.Counted();
-    }
-    child->RequireSilence();
-    child_ = std::move(child);
-    return counted;
-  };
+  std::optional<OutOfTime> silence;
+  Wait waited;
+  double since = 0;  // own time of the answers since the silence
   for (std::size_t most = requests.size(); answers.size() < requests.size();) {
     const std::size_t count = std::min(most, requests.size() - answers.size());
+    const std::span<EdgeRequest> open = requests.subspan(answers.size(), count);
+    const Wait wait = LongestWait();
     try {
-      ask(count, limits_.seconds);
-    } catch (const EndedByItself&) {
-      RequireThatItRuns();
+      since += AskOpenValues(open, wait, answers);
+    } catch (const Ended& ended) {
+      if (is_the_users_ && ended.how() == Ended::How::kCleanly) continue;
+      if (ended.ByItself()) RequireThatItRuns();
       throw;
     } catch (const OutOfTime& slow) {
       most = 1;
-      if (count == 1) TryLonger(slow, [&](double seconds) { return ask(1, seconds); });
+      if (count == 1) {
+        TryAgain(slow, wait, [&](const Wait& again) { AskOpenValues(open, again, answers); });
+        continue;
+      }
+      silence = slow;
+      waited = wait;
+      if (wait.IsLong()) --waits_left_;
     }
+  }
+  if (silence) {
+    const CallEnd end = EndOfSilence(*silence, waited, since, requests.size());
+    if (end.stop != Stop::kNone) throw SubjectStop(end);
   }
   return answers;
 }
@@ -286,44 +200,85 @@ void ProcessSubject::RequireThatItRuns() {
   if (std::exchange(may_not_run_, false)) RequireThatItAnswers(command_, info_, limits_);
 }
 
-ProcessSubject::Call ProcessSubject::Ask(std::span<const DrawJob> jobs, double seconds) {
+// A program of the user's that ends with status 0 between two answers begins afresh, as it may by
+// design. A fresh one must answer before it may end.
+bool ProcessSubject::MayBeginAfresh(const Ended& ended, std::span<const DrawJob> jobs,
+                                    std::size_t answered) const {
+  const bool is_in_a_batch = info_.takes_batches && jobs.size() > 1 && answered != 0;
+  return is_the_users_ && ended.how() == Ended::How::kCleanly && !is_in_a_batch;
+}
+
+ProcessSubject::Call ProcessSubject::Ask(std::span<const DrawJob> jobs, const Wait& wait) {
+  Call call = AskOnce(jobs, wait);
+  if (call.ended && limits_.bytes != 0) BlameMemory(jobs, call);
+  return call;
+}
+
+ProcessSubject::Call ProcessSubject::AskOnce(std::span<const DrawJob> jobs, const Wait& wait) {
   Call call;
   std::unique_ptr<Child> child;
   const std::uint64_t first_id = next_id_;
   next_id_ += jobs.size();
-  const auto ask = [&](std::size_t k, Drawing& drawing) {
+  const auto read = [&](std::size_t k, Drawing& drawing) {
     if (child == nullptr) {
       child = TakeChild();
-      child->Ask(CallText(first_id, jobs));
+      if (child->HasAnswered() && limits_.bytes != 0) call.bytes_before = child->Bytes();
+      child->Ask(CallText(first_id + k, jobs.subspan(k)));
     }
-    Patience patience = child->Wait(seconds, deadline_);
+    Patience patience = child->Wait(wait.most, deadline_);
     drawing = ReadAnswer(
         first_id + k, jobs[k], info_, [&](std::size_t most) { return child->Line(patience, most); },
         [&](std::size_t count) { return child->Bytes(patience, count); });
+    child->TakeAnswer();
     may_not_run_ = false;
     if (jobs[k].onto != nullptr) drawing.counts += *jobs[k].onto;
     call.counted = patience.time.Counted();
+    answered_seconds_ += call.counted;
+    if (wait.IsLong() && call.counted > wait.limit) call.slow.emplace(call.counted);
     if (k + 1 == jobs.size()) child->RequireSilence();
   };
+  const auto ask = [&](std::size_t k, Drawing& drawing) {
+    try {
+      read(k, drawing);
+    } catch (const Ended& ended) {
+      if (!MayBeginAfresh(ended, jobs, k)) throw;
+      child = nullptr;
+      read(k, drawing);
+    }
+  };
+  const bool goes_on = info_.takes_batches && jobs.size() > 1;
   for (std::size_t k = 0; k < jobs.size(); ++k) {
     auto& [drawing, end] = call.outcomes.emplace_back();
     Drawing& drawn = drawing;
-    end = EndOf([&] {
-      try {
-        ask(k, drawn);
-      } catch (const EndedByItself&) {
-        RequireThatItRuns();
-        throw;
-      } catch (const OutOfTime& slow) {
-        call.slow = slow;
-        throw;
-      }
-    });
-    if (end.stop == Stop::kRefused) may_not_run_ = false;
+    end = EndOf([&] { AskNoting(call, [&] { ask(k, drawn); }); });
+    if (end.stop == Stop::kRefused) {
+      may_not_run_ = false;
+      child->TakeAnswer();
+    }
     if (end.stop != Stop::kNone && end.stop != Stop::kRefused) return call;
+    if (call.slow && !goes_on) return call;
   }
   child_ = std::move(child);
   return call;
+}
+
+// Notes in the call why it ended.
+void ProcessSubject::AskNoting(Call& call, const std::function<void()>& ask) {
+  try {
+    ask();
+  } catch (const Ended& ended) {
+    call.ended = true;
+    call.is_too_large = ended.how() == Ended::How::kTooLarge;
+    if (ended.ByItself()) RequireThatItRuns();
+    throw;
+  } catch (const OutOfTime& slow) {
+    call.slow = slow;
+    throw;
+  } catch (const SubjectStop& stop) {
+    // The host of plugins tells so.
+    call.ended = IsBreakdown(stop.stop()) && std::string_view(stop.what()).ends_with("bad_alloc");
+    throw;
+  }
 }
 
 std::optional<DrawTime> ProcessSubject::TimeDraws(const DrawJob& job, int repeats) {
@@ -337,7 +292,9 @@ std::optional<DrawTime> ProcessSubject::TimeDraws(const DrawJob& job, int repeat
   child_ = TakeChild();
   const std::optional<double> used = child_->Used();
   const double begun = WallSeconds();
-  for (const DrawOutcome& outcome : Ask(jobs, limits_.seconds * repeats).outcomes) outcome.Get();
+  for (const DrawOutcome& outcome :
+       Ask(jobs, {limits_.seconds * repeats, limits_.seconds * repeats}).outcomes)
+    outcome.Get();
   if (!used || child_ == nullptr) return std::nullopt;
   const std::optional<double> used_now = child_->Used();
   if (!used_now) return std::nullopt;
@@ -347,126 +304,6 @@ std::optional<DrawTime> ProcessSubject::TimeDraws(const DrawJob& job, int repeat
 std::string ProcessSubject::CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const {
   std::string call = info_.takes_batches && jobs.size() > 1 ? BatchText(jobs.size()) : "";
   return call + RequestsText(first_id, jobs, info_);
-}
-
-DrawOutcome ProcessSubject::AskAlone(const DrawJob& job) {
-  Call call = Ask({&job, 1}, limits_.seconds);
-  return call.slow ? AskAgain(job, *call.slow) : std::move(call.outcomes.front());
-}
-
-DrawOutcome ProcessSubject::AskAgain(const DrawJob& job, const OutOfTime& slow) {
-  DrawOutcome outcome;
-  CallEnd end = EndOf([&] {
-    TryLonger(slow, [&](double seconds) {
-      Call again = Ask({&job, 1}, seconds);
-      if (again.slow) throw *again.slow;
-      outcome = std::move(again.outcomes.front());
-      return again.counted;
-    });
-  });
-  if (end.stop != Stop::kNone) outcome.end = std::move(end);
-  return outcome;
-}
-
-// Repeats a draw that took too long, alone on a fresh process with a much longer limit. It then
-// hangs, or its time is known; or it was slow only once, and the answer counts.
-void ProcessSubject::TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask) {
-  const std::string limit = SecondsText(limits_.seconds);
-  const std::string said = std::string(slow.what()) + " and gave no answer";
-  if (hangs_) {
-    throw SubjectStop(Stop::kHung, "it hangs: " + said + ", as before with 10 times as much");
-  }
-  const std::string advice = said + "; raise --time-limit (now " + limit + ") if it needs more";
-  if (slow.WasStarved()) throw SubjectStop(Stop::kTooSlow, advice);
-  const auto longer = std::chrono::duration<double>(kHangFactor * limits_.seconds);
-  if (tries_left_ == 0 || deadline_ - Clock::now() < longer)
-    throw SubjectStop(Stop::kTooSlow, advice);
-  --tries_left_;
-  child_.reset();
-  double counted = 0;
-  try {
-    counted = ask(longer.count());
-  } catch (const OutOfTime& again) {
-    if (again.WasStarved()) throw SubjectStop(Stop::kTooSlow, advice);
-    hangs_ = true;
-    throw SubjectStop(Stop::kHung, "it hangs: alone, on a fresh process, " +
-                                       std::string(again.what()) +
-                                       " and gave no answer, 10 times its limit of " + limit);
-  }
-  if (counted <= limits_.seconds) return;
-  throw SubjectStop(Stop::kTooSlow, "alone, on a fresh process, it answered after " +
-                                        SecondsText(counted) +
-                                        "; give a --time-limit above that (now " + limit + ")");
-}
-
-// Asks a fresh child. Error: SubjectStop if it can't be found out.
-bool ProcessSubject::BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
-  constexpr double kPatience = 4;  // a batch may be slow without being at fault
-  child_.reset();
-  outcomes = Ask(jobs, jobs.size() > 1 ? kPatience * limits_.seconds : limits_.seconds).outcomes;
-  const CallEnd& end = outcomes.back().end;
-  if (EndsTheCall(end.stop) && !IsBreakdown(end.stop)) throw SubjectStop(end);
-  return IsBreakdown(end.stop);
-}
-
-// A breakdown over several draws at once: finds out whose it is. `outcomes` ends with it.
-void ProcessSubject::Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
-  const std::vector<DrawOutcome> known = outcomes;
-  try {
-    TraceAlone(jobs, outcomes);
-  } catch (const SubjectStop& slow) {
-    outcomes = known;
-    outcomes.back().end.why += "; which of " + std::to_string(jobs.size()) +
-                               " draws does it was not found out: " + slow.what();
-  }
-}
-
-// Finds the draw that is to blame by asking each alone. A program answers in order, so no draw
-// before the missing answer is to blame. In a batch it may also be any later one, for the program
-// may draw them all before it says anything.
-void ProcessSubject::TraceAlone(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
-  const std::size_t first = outcomes.size() - 1;
-  const std::size_t last = info_.takes_batches ? jobs.size() - 1 : first;
-  const DrawOutcome fault = outcomes.back();
-  outcomes.pop_back();
-  for (std::size_t k = first; k <= last; ++k) {
-    std::vector<DrawOutcome> alone;
-    const bool breaks_down = BreaksDown(jobs.subspan(k, 1), alone);
-    outcomes.push_back(alone.front());
-    if (breaks_down) return;
-  }
-  outcomes.resize(first);
-  outcomes.push_back(fault);
-  TraceRun(jobs.first(last + 1), outcomes);
-}
-
-// None of the jobs does it alone. Finds the first run from the beginning that does, then the
-// shortest one with the same end. `outcomes` ends with the fault.
-void ProcessSubject::TraceRun(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes) {
-  std::vector<DrawOutcome> seen;
-  if (!BreaksDown(jobs, seen)) {
-    if (!info_.takes_batches) {
-      outcomes.back().end.stop = Stop::kBrokeDown;
-      outcomes.back().end.why += "; the same calls on a fresh process do not do it again";
-    } else {
-      outcomes = seen;  // it was slow as a whole, and nothing more
-    }
-    return;
-  }
-  const std::size_t end = LeastThat(seen.size(), jobs.size(),
-                                    [&](std::size_t n) { return BreaksDown(jobs.first(n), seen); });
-  const std::size_t run =
-      LeastThat(2, end, [&](std::size_t n) { return BreaksDown(jobs.subspan(end - n, n), seen); });
-  BreaksDown(jobs.subspan(end - run, run), seen);
-  outcomes.resize(std::min(outcomes.size() - 1, end - 1));
-  while (outcomes.size() + 1 < end) {
-    outcomes.push_back(AskAlone(jobs[outcomes.size()]));
-    if (EndsTheCall(outcomes.back().end.stop)) return;
-  }
-  outcomes.emplace_back().end = {Stop::kBrokeDown,
-                                 seen.back().end.why + "; not alone, but after the " +
-                                     std::to_string(run - 1) + " draws before it" +
-                                     (info_.takes_batches ? " in the same call" : "")};
 }
 
 }  // namespace rasterproof::subjects

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/evaluators.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
@@ -22,6 +23,7 @@ namespace rasterproof::subjects {
 struct ProcessLimits {
   double seconds = 10;                           ///< of the program's time, for one answer
   std::uint64_t bytes = std::uint64_t{4} << 30;  ///< of address space; 0: no limit
+  int long_waits = 3;  ///< in vain or for a late answer, each of ten times the seconds
 };
 
 /// A subject that is a child process speaking protocol.h.
@@ -29,12 +31,18 @@ struct ProcessLimits {
 /// The child is started at the first draw, in its own process group, and restarted after it died or
 /// was killed: the draws after a fault go to a fresh process. Its standard error is passed on.
 ///
-/// Limits count its own time (own_time.h). A draw that takes longer is repeated once, alone, on a
-/// fresh process, with ten times the limit; this happens at most three times in the subject's life,
-/// and only if the deadline leaves room. If there is no answer then either, the subject hangs, and
-/// from then on every draw over the limit is a hang. An answer within the ordinary limit counts;
-/// everything else is kTooSlow. The first answer of a batch is due within the limit, and a batch
-/// that takes longer is sent in parts.
+/// Limits count its own time (own_time.h). An answer is waited for ten times as long as the limit,
+/// at most three times in the subject's life, and only if the deadline leaves room. If none came,
+/// the subject hangs: that is told, whether a fresh process does it again when it is asked the same
+/// alone, or not. If one came late, the draw is repeated alone on a fresh process: an answer within
+/// the limit counts, and everything else is kTooSlow. Once a fresh process did not answer either,
+/// every draw over the limit is a hang. The first answer of a batch is due within the limit; one
+/// that takes longer makes later batches smaller, and one without an answer is sent in parts.
+///
+/// A process that ended is asked the same once more, on a fresh process without the limit on
+/// memory: if it takes more than the limit, that is kTooSlow, and the limit is named. A user's
+/// program may end with status 0 between two answers; what it was asked meanwhile goes to a fresh
+/// process.
 class ProcessSubject final : public Subject {
  public:
   using Clock = std::chrono::steady_clock;
@@ -74,16 +82,30 @@ class ProcessSubject final : public Subject {
   class Child;
   class OutOfTime;
   struct Call;
+  struct Wait;
+  class Ended;
   class ShownEdges;
   std::unique_ptr<Child> TakeChild();
   void RequireThatItRuns();
   std::vector<std::vector<double>> AskValues(std::span<EdgeRequest> requests);
+  double AskOpenValues(std::span<EdgeRequest> requests, const Wait& wait,
+                       std::vector<std::vector<double>>& answers);
   std::string CallText(std::uint64_t first_id, std::span<const DrawJob> jobs) const;
-  Call Ask(std::span<const DrawJob> jobs, double seconds);
+  Call Ask(std::span<const DrawJob> jobs, const Wait& wait);
+  Call AskOnce(std::span<const DrawJob> jobs, const Wait& wait);
+  void AskNoting(Call& call, const std::function<void()>& ask);
+  bool MayBeginAfresh(const Ended& ended, std::span<const DrawJob> jobs,
+                      std::size_t answered) const;
+  void BlameMemory(std::span<const DrawJob> jobs, Call& call);
+  Wait LongestWait() const;
   std::vector<DrawOutcome> AskSome(std::span<const DrawJob> jobs);
   DrawOutcome AskAlone(const DrawJob& job);
-  DrawOutcome AskAgain(const DrawJob& job, const OutOfTime& slow);
-  void TryLonger(const OutOfTime& slow, const std::function<double(double)>& ask);
+  std::vector<DrawOutcome> AskInParts(std::span<const DrawJob> jobs, Call silent, const Wait& wait);
+  DrawOutcome AskAgain(const DrawJob& job, const OutOfTime& slow, const Wait& wait);
+  void TryAgain(const OutOfTime& slow, const Wait& wait,
+                const std::function<void(const Wait&)>& ask);
+  CallEnd EndOfSilence(const OutOfTime& slow, const Wait& wait, double in_parts,
+                       std::size_t requests) const;
   bool BreaksDown(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
   void Trace(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
   void TraceAlone(std::span<const DrawJob> jobs, std::vector<DrawOutcome>& outcomes);
@@ -94,9 +116,12 @@ class ProcessSubject final : public Subject {
   ProcessLimits limits_;
   std::uint64_t next_id_ = 1;
   Clock::time_point deadline_ = Clock::time_point::max();
-  int tries_left_;
-  bool may_not_run_;    ///< it has given no answer yet
-  bool hangs_ = false;  ///< it was seen to hang
+  int waits_left_;
+  bool is_the_users_;
+  bool may_not_run_;          ///< it has given no answer yet
+  bool hangs_ = false;        ///< it was seen to hang
+  bool is_in_parts_ = false;  ///< a batch without an answer is being asked for in parts
+  double answered_seconds_ = 0;
   std::size_t most_in_a_batch_ = static_cast<std::size_t>(-1);
   std::unique_ptr<Child> child_;
   std::unique_ptr<ShownEdges> edges_;

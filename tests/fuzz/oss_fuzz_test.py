@@ -84,7 +84,7 @@ def require(truth, *said):
 def run(target, *arguments):
     done = subprocess.run([target, *arguments], capture_output=True, text=True, errors="replace",
                           env={"PATH": os.environ["PATH"], **OPTIONS}, cwd=os.path.dirname(target),
-                          timeout=300, check=False)  # fmt: skip
+                          timeout=900, check=False)  # fmt: skip
     require(done.returncode == 0, target, *arguments, "ended with status", done.returncode, "\n",
             done.stderr[-3000:])  # fmt: skip
     return done.stderr

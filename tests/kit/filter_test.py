@@ -33,11 +33,11 @@ class FilterTest(unittest.TestCase):
         made = subprocess.run([COMPILER, "-std=c11", "-O2", "-Wall", "-Wextra", "-Werror",
                                "-shared", "-fPIC", "-I", SOURCES, f"-DBUG={bug}", source,
                                "-o", library, "-lm"],
-                              capture_output=True, text=True, timeout=60, check=False)  # fmt: skip
+                              capture_output=True, text=True, timeout=900, check=False)  # fmt: skip
         self.assertEqual(made.returncode, 0, made.stderr)
         done = subprocess.run([PROGRAM, "check", "--plugin", library, "--no-cause", "--cases",
                                str(cases), "--property", "CoverageEqualsTheModel"],
-                              capture_output=True, text=True, timeout=200,
+                              capture_output=True, text=True, timeout=900,
                               check=False)  # fmt: skip
         return done.returncode, done.stdout + done.stderr
 

@@ -17,7 +17,7 @@ SHARED = os.path.join(BUILD, "librasterproof_oracle.so")
 
 
 def run(*command, **options):
-    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=300,
+    return subprocess.run(command, capture_output=True, text=True, check=False, timeout=900,
                           **options)  # fmt: skip
 
 

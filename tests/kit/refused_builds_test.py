@@ -17,7 +17,7 @@ UNDO = ("-fno-fast-math", "-fno-unsafe-math-optimizations", "-fno-associative-ma
 def compiled(file, *flags):
     return subprocess.run([CXX, "-std=c++20", "-I", SOURCES, *flags, "-fsyntax-only",
                            "-Wfatal-errors", os.path.join(SOURCES, file)], capture_output=True,
-                          text=True, timeout=100, check=False)  # fmt: skip
+                          text=True, timeout=900, check=False)  # fmt: skip
 
 
 def is_gcc():

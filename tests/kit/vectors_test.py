@@ -26,7 +26,7 @@ class ReadersTest(unittest.TestCase):
         self.folder.cleanup()
 
     def run_here(self, *command):
-        return subprocess.run(command, capture_output=True, cwd=self.folder.name, timeout=120,
+        return subprocess.run(command, capture_output=True, cwd=self.folder.name, timeout=900,
                               text=True)  # fmt: skip
 
     def generate(self, profile, form, out):

@@ -37,7 +37,7 @@ class VerilogTest(unittest.TestCase):
 
     @classmethod
     def done(cls, *command):
-        return subprocess.run(command, capture_output=True, cwd=cls.folder, timeout=200, text=True)
+        return subprocess.run(command, capture_output=True, cwd=cls.folder, timeout=900, text=True)
 
     def make(self, bits):
         """The unit of so many bits as a library."""

@@ -25,7 +25,7 @@ FEWEST_LINES = 200
 
 
 def lines(*command):
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=900)
     if done.returncode:
         sys.exit(f"{' '.join(command)} ended with status {done.returncode}\n{done.stderr}")
     return done.stdout.splitlines(), done.stderr

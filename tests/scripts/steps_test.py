@@ -1,4 +1,4 @@
-"""Tests of scripts/steps.sh: what a step prints, keeps and returns."""
+"""Tests of scripts/steps.sh: what a step prints, keeps and returns; and of scripts/test_stages."""
 
 import os
 import pathlib
@@ -7,7 +7,9 @@ import subprocess
 import tempfile
 import unittest
 
-STEPS = pathlib.Path(__file__).resolve().parents[2] / "scripts/steps.sh"
+SCRIPTS = pathlib.Path(__file__).resolve().parents[2] / "scripts"
+STEPS = SCRIPTS / "steps.sh"
+ENOUGH = 900  # seconds; a test that waits for so long has failed
 
 
 class StepsTest(unittest.TestCase):
@@ -18,7 +20,7 @@ class StepsTest(unittest.TestCase):
 
     def run_steps(self, text, **more):
         script = f"set -euo pipefail\nsource {STEPS}\n{text}\n"
-        return subprocess.run(["bash", "-c", script], cwd=self.root, text=True, timeout=60,
+        return subprocess.run(["bash", "-c", script], cwd=self.root, text=True, timeout=ENOUGH,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False,
                               **more)  # fmt: skip
 
@@ -55,7 +57,7 @@ class StepsTest(unittest.TestCase):
         script = ("set -euo pipefail\nsource ./quick.sh\n: >said\n"
                   "until_seen() { echo half way; until grep -q 'half way' said; do :; done; }\n"
                   "step long until_seen >said\n")  # fmt: skip
-        done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=60, check=False)
+        done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=ENOUGH, check=False)
         said = (self.root / "said").read_text(encoding="utf-8")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(said, r"(?m)^   long: \d+ s  half way$")
@@ -66,8 +68,8 @@ class StepsTest(unittest.TestCase):
         environment = {**os.environ, "TERM": "xterm"}
         environment.pop("CI", None)
         script = f"source {STEPS}\nstep short sh -c 'echo chatter'"
-        done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=60, stdout=follower,
-                              stderr=follower, env=environment, check=False)  # fmt: skip
+        done = subprocess.run(["bash", "-c", script], cwd=self.root, timeout=ENOUGH, check=False,
+                              stdout=follower, stderr=follower, env=environment)  # fmt: skip
         os.close(follower)
         said = os.read(leader, 65536).decode()
         os.close(leader)
@@ -84,6 +86,51 @@ class StepsTest(unittest.TestCase):
     def test_nothing_is_left_running(self):
         done = self.run_steps("step a true\nstep b true\njobs -p")
         self.assertRegex(done.stdout, r"\A   a: \d+ s\n   b: \d+ s\n\Z")
+
+
+class StagesTest(unittest.TestCase):
+    STAGES = ("checks", "proofs", "release", "sanitized", "tidy", "readme")
+
+    def run_stages(self, **bodies):
+        """Runs all stages, each of them `true` but those given. Returns the status and a line for
+        each."""
+        lines = [f"stage_{name}() {{ {bodies.get(name, 'true')}; }}" for name in self.STAGES]
+        begin = f"source {SCRIPTS / 'test_stages'}"
+        end = ('run_stages "${STAGES[@]}"', 'printf "summary %s\\n" "${summary[@]}"',
+               'exit "$status"')  # fmt: skip
+        script = "\n".join([begin, *lines, *end])
+        done = subprocess.run(["bash", "-c", script], text=True, timeout=ENOUGH, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)  # fmt: skip
+        said = [line.removeprefix("summary ") for line in done.stdout.splitlines()
+                if line.startswith("summary ")]  # fmt: skip
+        self.assertEqual([line.split(":")[0] for line in said], list(self.STAGES), done.stdout)
+        return done.returncode, [line.split(": ", 1)[1] for line in said]
+
+    def test_all_stages_run_and_pass(self):
+        status, said = self.run_stages()
+        self.assertEqual(status, 0)
+        for line in said:
+            self.assertRegex(line, r"\Apassed, \d+ s\Z")
+
+    def test_a_stage_that_fails_hides_no_other(self):
+        status, said = self.run_stages(checks="(exit 8)", sanitized="false; echo never")
+        self.assertEqual(status, 1)
+        self.assertRegex(said[0], r"\AFAILED with status 8, \d+ s\Z")
+        self.assertRegex(said[3], r"\AFAILED with status 1, \d+ s\Z")
+        for line in (said[1], said[2], said[4], said[5]):
+            self.assertRegex(line, r"\Apassed, ")
+
+    def test_what_needs_a_build_that_failed_says_so(self):
+        status, said = self.run_stages(release="die 3 'it does not compile'", tidy="false")
+        self.assertEqual(status, 3)
+        self.assertRegex(said[2], r"\AFAILED with status 3, ")
+        self.assertRegex(said[3], r"\Apassed, ")
+        self.assertRegex(said[4], r"\AFAILED with status 1, ")
+        self.assertEqual(said[5], "not run, because the build of stage release failed")
+
+    def test_the_status_is_that_of_the_first_that_failed(self):
+        self.assertEqual(self.run_stages(proofs="false", tidy="(exit 3)")[0], 1)
+        self.assertEqual(self.run_stages(checks="die 2 'no disk'", proofs="false")[0], 2)
 
 
 if __name__ == "__main__":

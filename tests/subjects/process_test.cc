@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -85,6 +86,98 @@ TEST(ProcessSubject, CallsASlowOneSlowAndTriesItABoundedNumberOfTimes) {
   int started = 0;
   for (std::string line; std::getline(in, line);) ++started;
   EXPECT_EQ(started, 4) << "one, and a fresh one for each try";
+}
+
+// Before the fifth answer of each process it does `what`.
+std::vector<std::string> OnTheFifth(const std::string& what) {
+  return Pausing("c=$((c + 1)); [ $c -ne 5 ] || " + what);
+}
+
+TEST(ProcessSubject, TellsAHangThatAFreshProcessDoesNotDoAgain) {
+  ProcessSubject subject(OnTheFifth("sleep 1000"), Info(), {.seconds = 0.05});
+  for (int n = 0; n < 4; ++n) EXPECT_EQ(SaidOf(subject), "");
+  const std::string said = SaidOf(subject);
+  EXPECT_TRUE(said.starts_with("fault: it hangs: it slept for")) << said;
+  EXPECT_TRUE(Has(said, "10 times its limit of 0.05 s")) << said;
+  EXPECT_TRUE(Has(said, "on a fresh process, it answered: it did not happen again")) << said;
+  EXPECT_EQ(SaidOf(subject), "");
+}
+
+TEST(ProcessSubject, TellsAHangAmongManyDrawsThatDoesNotHappenAgain) {
+  ProcessSubject subject(OnTheFifth("sleep 1000"), Info(), {.seconds = 0.05});
+  const std::vector<DrawOutcome> outcomes = subject.DrawMany(std::vector<DrawJob>(8));
+  ASSERT_EQ(outcomes.size(), 5U) << "what follows is left open";
+  EXPECT_EQ(outcomes[3].end.stop, Stop::kNone);
+  EXPECT_EQ(outcomes[4].end.stop, Stop::kHung);
+  EXPECT_TRUE(Has(outcomes[4].end.why, "it did not happen again")) << outcomes[4].end.why;
+}
+
+TEST(ProcessSubject, TellsOfABatchWhatItsPartsDoNotDoAgain) {
+  SubjectInfo info = Info();
+  info.takes_batches = true;
+  const std::vector<DrawJob> jobs(8);
+  ProcessSubject hangs(OnTheFifth("sleep 1000"), info, {.seconds = 0.2});
+  const std::vector<DrawOutcome> hung = hangs.DrawMany(jobs);
+  ASSERT_EQ(hung.size(), 1U);
+  EXPECT_EQ(hung[0].end.stop, Stop::kHung);
+  EXPECT_TRUE(Has(hung[0].end.why, "asked 8 requests at once, it slept for")) << hung[0].end.why;
+  EXPECT_TRUE(Has(hung[0].end.why, "it did not happen again")) << hung[0].end.why;
+  // In a file, as a crash of each fifth call would come again in the same batch.
+  const std::string marker = testing::TempDir() + "/crashed_once";
+  std::remove(marker.c_str());
+  ProcessSubject crashes(
+      OnTheFifth("test -e " + marker + " || { : > " + marker + "; kill -SEGV $$; }"), info);
+  const std::vector<DrawOutcome> crashed = crashes.DrawMany(jobs);
+  ASSERT_EQ(crashed.size(), 1U);
+  EXPECT_EQ(crashed[0].end.stop, Stop::kBrokeDown);
+  EXPECT_TRUE(Has(crashed[0].end.why, "killed by signal 11")) << crashed[0].end.why;
+  EXPECT_TRUE(Has(crashed[0].end.why, "do not do it again")) << crashed[0].end.why;
+}
+
+TEST(ProcessSubject, TakesTheAnswerOfWhatIsSlowOnceInAWhile) {
+  for (const bool takes_batches : {false, true}) {
+    SubjectInfo info = Info();
+    info.takes_batches = takes_batches;
+    ProcessSubject subject(OnTheFifth("sleep 0.5"), info, {.seconds = 0.2});
+    const std::vector<DrawOutcome> outcomes = subject.DrawMany(std::vector<DrawJob>(8));
+    ASSERT_EQ(outcomes.size(), 8U);
+    for (const DrawOutcome& outcome : outcomes) {
+      EXPECT_EQ(outcome.end.stop, Stop::kNone) << outcome.end.why;
+    }
+  }
+}
+
+// Answers, and ends with status 0 after three answers, or in place of an answer to a scene of more
+// than one row.
+std::vector<std::string> Restarting() {
+  return {"/bin/sh", "-c",
+          "while read word id width height rest; do\n"
+          "  [ $height = 1 ] || exit 0\n"
+          "  printf \"counts $id\\n0\\n\"\n"
+          "  c=$((c + 1)); [ $c -lt 3 ] || exit 0\n"
+          "done\n"};
+}
+
+TEST(ProcessSubject, BeginsAProgramAfreshThatEndsBetweenTwoAnswers) {
+  using enum ProcessSubject::Program;
+  std::vector<DrawJob> jobs(8);
+  ProcessSubject theirs(Restarting(), Info(), {}, kTheUsers);
+  const std::vector<DrawOutcome> outcomes = theirs.DrawMany(jobs);
+  ASSERT_EQ(outcomes.size(), 8U);
+  for (const DrawOutcome& outcome : outcomes) {
+    EXPECT_EQ(outcome.end.stop, Stop::kNone) << outcome.end.why;
+  }
+  for (int n = 0; n < 4; ++n) EXPECT_EQ(SaidOf(theirs), "");
+  Scene higher;
+  higher.height = 2;
+  jobs[1] = {higher, {}, 1};
+  const std::vector<DrawOutcome> ended = theirs.DrawMany(jobs);
+  ASSERT_EQ(ended.size(), 2U);
+  EXPECT_EQ(ended[1].end.stop, Stop::kBrokeDown) << "a fresh one must answer first";
+  EXPECT_TRUE(Has(ended[1].end.why, "ended with status 0")) << ended[1].end.why;
+  ProcessSubject ours(Restarting(), Info());
+  EXPECT_EQ(ours.DrawMany(std::vector<DrawJob>(8)).back().end.stop, Stop::kBrokeDown)
+      << "the host of a plugin never ends by design";
 }
 
 TEST(ProcessSubject, WaitsNoLongerThanItsDeadline) {

@@ -18,7 +18,7 @@ SCENE = "scenes/ties.json"
 
 def run(*arguments, program=PROGRAM, data=None):
     return subprocess.run([program, *arguments], input=data, capture_output=True, cwd=SOURCES,
-                          timeout=300, check=False)  # fmt: skip
+                          timeout=900, check=False)  # fmt: skip
 
 
 def buggy(name):

@@ -19,7 +19,7 @@ ORDER = "TriangleOrderKeepsCoverage"
 
 def run(*arguments):
     result = subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            cwd=SOURCES, timeout=300, text=True)  # fmt: skip
+                            cwd=SOURCES, timeout=900, text=True)  # fmt: skip
     return result.returncode, result.stdout, result.stderr
 
 

@@ -16,7 +16,7 @@ HOLDS, VIOLATED, INCONCLUSIVE = 0, 1, 4
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=300,
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, timeout=900,
                           check=False)  # fmt: skip
 
 

@@ -21,7 +21,7 @@ FEW = [word for name in ("needles", "near-edge", "grids", "snap-ties", "degenera
 
 def check(*arguments):
     return subprocess.run([PROGRAM, "check", "--catalogue", "--cases", "20", *FEW, *arguments],
-                          capture_output=True, text=True, cwd=SOURCES, timeout=300,
+                          capture_output=True, text=True, cwd=SOURCES, timeout=900,
                           check=False)  # fmt: skip
 
 
@@ -42,7 +42,7 @@ class Catalogue(unittest.TestCase):
             self.assertGreater(len(saved), 3)
             for path in saved[:6]:
                 again = subprocess.run([PROGRAM, "replay", path], capture_output=True, text=True,
-                                       cwd=SOURCES, timeout=60, check=False)  # fmt: skip
+                                       cwd=SOURCES, timeout=900, check=False)  # fmt: skip
                 self.assertEqual(again.returncode, 1, path + again.stdout + again.stderr)
 
     def test_what_it_cannot_be_combined_with_is_refused(self):
@@ -68,7 +68,7 @@ class Catalogue(unittest.TestCase):
                 [PROGRAM, "certify", "--catalogue", "--subject", "spans-exact", "--subject",
                  "f32-direct", "--subject", "i64-snap8", "--cases", "10",
                  "--scenes", "scenes/quick.json", "--out", folder],
-                capture_output=True, text=True, cwd=SOURCES, timeout=300, check=False)  # fmt: skip
+                capture_output=True, text=True, cwd=SOURCES, timeout=900, check=False)  # fmt: skip
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             with open(os.path.join(folder, "catalogue.json")) as file:
                 catalogue = json.load(file)
@@ -101,7 +101,7 @@ class Catalogue(unittest.TestCase):
             command = re.search(r"<code>(.*--subject</span> <span>f32-direct.*)</code>", page)[1]
             words = html.unescape(re.sub("<[^>]*>", "", command)).split()[1:]
             saved = subprocess.run([PROGRAM, *words], capture_output=True, text=True, cwd=folder,
-                                   timeout=60, check=False)  # fmt: skip
+                                   timeout=900, check=False)  # fmt: skip
             self.assertEqual(saved.returncode, 1, saved.stdout + saved.stderr)
             with open(os.path.join(folder, "worst", "f32-direct-needles-real.json")) as file:
                 self.assertIn(needles["worst_case"], file.read())

@@ -15,7 +15,7 @@ MODEL = "CoverageEqualsTheModel"
 
 def check(subject, *arguments, cases=60):
     return subprocess.run([PROGRAM, "check", "--subject", subject, "--cases", str(cases),
-                           *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+                           *arguments], capture_output=True, cwd=SOURCES, timeout=900,
                           check=False, encoding="utf-8")  # fmt: skip
 
 

@@ -24,7 +24,7 @@ profile {{"name": "mine", "subpixel_bits": 8, "coordinate_limit": 32768, \
 
 
 def run(*arguments):
-    done = subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+    done = subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=900,
                           check=False)  # fmt: skip
     return done.returncode, done.stdout.decode() + done.stderr.decode()
 

@@ -43,7 +43,7 @@ class Certify(unittest.TestCase):
 
     def run_certify(self, *arguments, program=PROGRAM, out=None, cwd=SOURCES):
         return subprocess.run([program, "certify", *arguments, "--out", out or self.out], cwd=cwd,
-                              capture_output=True, timeout=300, check=False)  # fmt: skip
+                              capture_output=True, timeout=900, check=False)  # fmt: skip
 
     def certify(self, *arguments, scenes=("ties", "duplicates"), program=PROGRAM):
         done = self.run_certify(*arguments, "--scenes", self.scenes(*scenes), program=program)
@@ -126,7 +126,7 @@ class Outside(Certify):
         for replay in replays:
             self.assertTrue(replay.startswith("rasterproof "), replay)
             line = f"'{PROGRAM}' {replay.removeprefix('rasterproof ')}"
-            done = subprocess.run(line, shell=True, cwd=SOURCES, capture_output=True, timeout=300,
+            done = subprocess.run(line, shell=True, cwd=SOURCES, capture_output=True, timeout=900,
                                   check=False)  # fmt: skip
             self.assertEqual(done.returncode, 1, line + done.stderr.decode())
 
@@ -343,7 +343,7 @@ class Files(Certify):
         self.assertNotIn(SOURCES, pages)
         (command,) = set(re.findall("rasterproof (explain scenes/.*)", pages))
         done = subprocess.run([PROGRAM, *shlex.split(command)], cwd=self.folder,
-                              capture_output=True, timeout=300, check=False)  # fmt: skip
+                              capture_output=True, timeout=900, check=False)  # fmt: skip
         self.assertIn(b"samples differ", done.stdout)
 
     def test_scenes_are_found_where_they_are_installed(self):
@@ -449,7 +449,7 @@ class Pages(Certify):
         for command in replays:
             line = f"'{PROGRAM}' {command.removeprefix('rasterproof ')}"
             done = subprocess.run(line, shell=True, cwd=self.folder, capture_output=True,
-                                  timeout=300, check=False)  # fmt: skip
+                                  timeout=900, check=False)  # fmt: skip
             self.assertEqual(done.returncode, 1, line + done.stderr.decode())
 
     def test_a_page_that_can_not_be_written_leaves_no_part_of_it(self):
@@ -482,7 +482,7 @@ class Interrupts(Certify):
             with open(fifo, "rb") as asked:
                 asked.read()
             running.send_signal(signal.SIGINT)
-            stdout, stderr = running.communicate(timeout=200)
+            stdout, stderr = running.communicate(timeout=900)
         self.assertEqual(running.returncode, 128 + signal.SIGINT, stderr)
         self.assertIn(b"interrupted: ", stdout)
         self.assertIn("The run was interrupted", self.pages()["report.html"])

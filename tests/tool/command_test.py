@@ -24,7 +24,7 @@ PROFILE_BITS = {"real": None, "d3d11-canonical": 8, "vulkan-canonical": 8, "gl-c
 
 def run(*arguments, data=None, stdout=subprocess.PIPE):
     return subprocess.run([PROGRAM, *arguments], input=data, stdout=stdout, stderr=subprocess.PIPE,
-                          cwd=SOURCES, timeout=300)
+                          cwd=SOURCES, timeout=900)
 
 
 def float32(x):

@@ -14,7 +14,7 @@ PROGRAM, SOURCES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:4])
 
 def check(*arguments, modes="ftz,daz,up,down,zero,trap", cases=200):
     return subprocess.run([PROGRAM, "check", "--fp-env", modes, "--cases", str(cases), *arguments],
-                          capture_output=True, text=True, cwd=SOURCES, timeout=300,
+                          capture_output=True, text=True, cwd=SOURCES, timeout=900,
                           check=False)  # fmt: skip
 
 
@@ -81,7 +81,7 @@ class FloatModes(unittest.TestCase):
                 case = json.load(file)
             self.assertEqual(case["property"], "EnvironmentKeepsCoverage")
             again = subprocess.run([PROGRAM, "replay", os.path.join(folder, "f32-direct-up.json")],
-                                   capture_output=True, text=True, timeout=60,
+                                   capture_output=True, text=True, timeout=900,
                                    check=False)  # fmt: skip
             self.assertEqual(again.returncode, 1, again.stdout + again.stderr)
 

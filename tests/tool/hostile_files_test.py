@@ -75,7 +75,7 @@ class HostileFilesTest(unittest.TestCase):
         before = seconds()
         result = subprocess.run([PROGRAM, *arguments], stdin=subprocess.DEVNULL,
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                                cwd=self.folder.name, timeout=120)
+                                cwd=self.folder.name, timeout=900)
         self.assertLess(seconds() - before, MOST_SECONDS, arguments)
         self.assertLess(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss, MOST_KIBIBYTES,
                         arguments)
@@ -208,7 +208,7 @@ class HostileFilesTest(unittest.TestCase):
         result = subprocess.run(
             ["bash", "-c",
              '"$0" check --subject i64-snap8 --cases 5 --jobs 2 --profile <(cat "$1")',
-             PROGRAM, profile], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=120)
+             PROGRAM, profile], stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=900)
         self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
 
 

@@ -21,7 +21,7 @@ MODEL = "CoverageEqualsTheModel"
 def run(*arguments):
     if arguments[:1] == ("check",):  # explaining takes longer than finding: causes_test.py has it
         arguments += ("--no-cause",)
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=900,
                           check=False)  # fmt: skip
 
 
@@ -101,7 +101,7 @@ class Check(unittest.TestCase):
         command = [PROGRAM, "check", "--subject", "i64-snap8", "--profile", f"/dev/fd/{read}",
                    "--property", MODEL, "SharedEdgeSamplesAreCoveredOnce", "--cases", "8",
                    "--jobs", "2"]  # fmt: skip
-        done = subprocess.run(command, capture_output=True, pass_fds=(read,), timeout=60,
+        done = subprocess.run(command, capture_output=True, pass_fds=(read,), timeout=900,
                               check=False)  # fmt: skip
         os.close(read)
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
@@ -169,7 +169,7 @@ class Check(unittest.TestCase):
                 done = subprocess.run(
                     [PROGRAM, "check", "--subject", "textbook", "--cases", "24", "--save", folder,
                      "--verbose", "--jobs", str(n)],
-                    cwd=SOURCES, timeout=300, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                    cwd=SOURCES, timeout=900, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                     preexec_fn=forbid_files)  # fmt: skip
                 self.assertEqual(done.returncode, 2, done.stderr)
                 if n == 1:

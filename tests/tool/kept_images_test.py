@@ -18,7 +18,7 @@ def check(key, seed, *more):
     return subprocess.run(
         [PROGRAM, "check", "--plugin", plugin, *(more or ("--property", PROPERTY)),
          "--seed", str(seed)],
-        capture_output=True, text=True, timeout=300, check=False)  # fmt: skip
+        capture_output=True, text=True, timeout=900, check=False)  # fmt: skip
 
 
 class KeptImages(unittest.TestCase):

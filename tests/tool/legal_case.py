@@ -17,7 +17,7 @@ SQUARE = {"rasterproof_scene": 1, "name": "square", "width": 4, "height": 4,
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=900,
                           text=True)
 
 

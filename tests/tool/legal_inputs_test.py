@@ -114,7 +114,7 @@ class SavedCoreTest(LegalCase):
         words = shlex.split(line.removeprefix("replay: "))
         self.assertEqual(words[:3], ["rasterproof", "legal", path])
         again = subprocess.run([PROGRAM, *words[1:]], capture_output=True, text=True, cwd=SOURCES,
-                               timeout=60)
+                               timeout=900)
         self.assertEqual(again.returncode, 1, line + again.stdout + again.stderr)
         with open(path, encoding="utf-8") as file:
             case = json.load(file)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """A subject on a pipe that covers nothing, and does one thing wrong.
 
-usage: misbehaves.py WHAT [FILE]
+usage: misbehaves.py WHAT [FILE] [SECONDS]
 """
 import os
 import signal
@@ -10,6 +10,8 @@ import time
 
 WHAT = sys.argv[1]
 FOREVER = 10**6
+CALLS = 50  # of a process: what some do, they do on each so many
+kept = []
 
 
 def say(text):
@@ -51,6 +53,20 @@ def once():
         return False
 
 
+def do_on_a_call():
+    """What only every fiftieth call of a process meets, before it is answered."""
+    if WHAT == "sleeps-on-a-call":
+        hang(lambda: time.sleep(FOREVER))
+    if WHAT == "spins-on-a-call":
+        hang(spin)
+    if WHAT == "crashes-on-a-call":
+        os.kill(os.getpid(), signal.SIGSEGV)
+    if WHAT == "needs-on-a-call":
+        compute(float(sys.argv[2]))
+    if WHAT == "allocates-on-a-call":
+        kept.append(bytearray(1 << 30))
+
+
 def answer(number, width, height):
     row = " ".join(["0"] * width) + "\n"
     if WHAT == "warns":
@@ -78,8 +94,10 @@ def answer(number, width, height):
         rows += f"counts {number + 1}\n" + rows
     if WHAT == "needs":
         compute(float(sys.argv[2]))
-    if WHAT == "slow-once" and once():
+    if WHAT == "hangs-once" and once():
         hang(lambda: time.sleep(FOREVER))
+    if WHAT == "slow-once" and once():
+        compute(float(sys.argv[3]))
     return say(f"counts {number}\n" + rows)
 
 
@@ -98,10 +116,13 @@ def main():
         print(f"blocked: {blocked}", file=sys.stderr, flush=True)
     if WHAT == "crashes":
         os.kill(os.getpid(), signal.SIGSEGV)
+    calls = 0
     while True:
         words = sys.stdin.readline().split()
         if not words:
             return
+        if words[0] == "batch":
+            continue
         if WHAT in ("spins", "ignores-its-end"):
             hang(spin)
         if WHAT == "sleeps":
@@ -111,7 +132,16 @@ def main():
             hang(spin)
         for _ in range(int(words[6]) + int(words[7])):
             sys.stdin.readline()
+        calls += 1
+        if calls % CALLS == 0:
+            do_on_a_call()
+        if WHAT == "leaks":
+            kept.append(bytearray(1 << 24))
+        if WHAT == "ends-over-a-scene" and calls > 1 and int(words[7]) > 1:
+            sys.exit(0)
         answer(int(words[1]), int(words[2]), int(words[3]))
+        if WHAT == "restarts" and calls == CALLS:
+            sys.exit(0)
 
 
 if __name__ == "__main__":

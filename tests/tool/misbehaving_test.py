@@ -21,7 +21,7 @@ PYTHON = f"{sys.executable} -I -S"  # starts in a tenth of the limit
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 # Of a subject's own time; a hang is given ten times that.
 LIMIT = ("--time-limit", "0.3")
-ENOUGH = 120  # seconds; a test that waits for so long has failed
+ENOUGH = 900  # seconds; a test that waits for so long has failed
 TOKEN = "RASTERPROOF_TEST_TOKEN"
 
 
@@ -158,9 +158,15 @@ class Misbehaving(unittest.TestCase):
     def test_a_closed_output_is_reported(self):
         self.expect("closes-output", 1, "it closed its output before its answer was whole")
 
-    def test_what_was_slow_once_is_judged_by_its_answer(self):
+    def test_what_hung_once_is_a_finding_whatever_a_fresh_process_does(self):
         with tempfile.TemporaryDirectory() as folder:
-            self.expect(f"slow-once {folder}/marker", 0, "1 hold")
+            self.expect(f"hangs-once {folder}/marker", 1, "it hangs: it slept for",
+                        "it did not happen again")  # fmt: skip
+
+    def test_what_was_slow_once_is_judged_by_its_answer(self):
+        # It needs 0.5 s and has 0.3; ten times the limit is 3 s.
+        with tempfile.TemporaryDirectory() as folder:
+            self.expect(f"slow-once {folder}/marker 0.5", 0, "1 hold")
 
     def test_children_of_a_subject_do_not_stay(self):
         self.expect("leaves-children", 0, "1 hold")
@@ -173,6 +179,74 @@ class Misbehaving(unittest.TestCase):
         self.assertEqual(status, 4, text)
         self.assertIn("--time-limit", text)
         self.assertNotIn("violated  ", text)
+
+
+class OnACall(unittest.TestCase):
+    """What a process does on each fiftieth call, and a fresh one does not do again."""
+
+    def check(self, what, *more, takes="window"):
+        with tempfile.TemporaryDirectory() as folder:
+            described = os.path.join(folder, "mine.subject")
+            with open(described, "w", encoding="utf-8") as file:
+                file.write(f"command {PYTHON} {SUBJECT} {what}\ntakes {takes}\n")
+            run = Run([PROGRAM, "check", "--subject", described, *LIMIT, "--property", DEGENERATE,
+                       "--cases", "120", "--no-cause", "--jobs", "1", *more])  # fmt: skip
+            self.addCleanup(run.kill_left)
+            status, text = run.end()
+        self.assertEqual(run.left(), [], text)
+        return status, text
+
+    def test_a_hang_is_a_finding_with_its_case(self):
+        for what, did in (("sleeps", "slept for"), ("spins", "of processor time")):
+            for takes in ("window", "window batches"):
+                with self.subTest(what=what, takes=takes):
+                    status, text = self.check(f"{what}-on-a-call", takes=takes)
+                    self.assertEqual(status, 1, text)
+                    self.assertIn("it hangs: ", text)
+                    self.assertIn(did, text)
+                    self.assertIn("it did not happen again", text)
+                    self.assertIn("replay: ", text)
+
+    def test_a_crash_is_a_finding(self):
+        for takes in ("window", "window batches"):
+            with self.subTest(takes=takes):
+                status, text = self.check("crashes-on-a-call", takes=takes)
+                self.assertEqual(status, 1, text)
+                self.assertIn("killed by signal 11", text)
+
+    def test_what_is_slow_there_is_not_accused(self):
+        for takes in ("window", "window batches"):
+            with self.subTest(takes=takes):
+                status, text = self.check("needs-on-a-call 0.5", takes=takes)
+                self.assertEqual(status, 0, text)
+                self.assertIn("1 hold", text)
+
+    def test_what_the_limit_on_memory_ends_is_inconclusive_and_names_it(self):
+        # A GiB at once, and 16 MiB a draw until there is no more.
+        for what in ("allocates-on-a-call", "leaks"):
+            for takes in ("window", "window batches"):
+                with self.subTest(what=what, takes=takes):
+                    status, text = self.check(what, "--memory-limit", "0.5", takes=takes)
+                    self.assertEqual(status, 4, text)
+                    self.assertIn("under --memory-limit (now 0.5 GiB)", text)
+                    self.assertNotIn("violated  ", text)
+
+    def test_a_crash_under_the_limit_on_memory_stays_a_finding(self):
+        status, text = self.check("crashes-on-a-call", "--memory-limit", "0.5")
+        self.assertEqual(status, 1, text)
+        self.assertNotIn("--memory-limit", text)
+
+    def test_one_that_restarts_by_design_holds(self):
+        for takes in ("window", "window batches"):
+            with self.subTest(takes=takes):
+                status, text = self.check("restarts", takes=takes)
+                self.assertEqual(status, 0, text)
+                self.assertIn("1 hold", text)
+
+    def test_one_that_ends_over_a_scene_has_not_restarted(self):
+        status, text = self.check("ends-over-a-scene")
+        self.assertEqual(status, 1, text)
+        self.assertIn("ended with status 0", text)
 
 
 def limit_memory(most_bytes):

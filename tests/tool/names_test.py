@@ -18,7 +18,7 @@ SCENE = os.path.join(SOURCES, "scenes/drtk9.json")
 
 def run(*arguments):
     return subprocess.run([PROGRAM, *arguments], stdin=subprocess.DEVNULL, capture_output=True,
-                          text=True, cwd=SOURCES, timeout=300)  # fmt: skip
+                          text=True, cwd=SOURCES, timeout=900)  # fmt: skip
 
 
 class Names(unittest.TestCase):
@@ -124,7 +124,7 @@ class Names(unittest.TestCase):
 class Pictures(unittest.TestCase):
     def look(self, *arguments):
         return subprocess.run([PROGRAM, "coverage", SCENE, *arguments], capture_output=True,
-                              cwd=SOURCES, timeout=300)  # fmt: skip
+                              cwd=SOURCES, timeout=900)  # fmt: skip
 
     def test_each_mode_is_a_picture_of_the_target(self):
         shown = [(), ("--against", "textbook")]

@@ -18,7 +18,7 @@ DEPTH = "FragmentDepthStaysInTheHull"
 
 def check(*arguments, cases=12):
     return subprocess.run([PROGRAM, "check", "--cases", str(cases), "--no-cause", *arguments],
-                          capture_output=True, cwd=SOURCES, timeout=300, check=False,
+                          capture_output=True, cwd=SOURCES, timeout=900, check=False,
                           encoding="utf-8")  # fmt: skip
 
 

@@ -30,14 +30,14 @@ class Rounds:
         return os.path.join(self.directory, f"round-{number}.{ending}")
 
     def ask(self):
-        return subprocess.run(self.command, capture_output=True, cwd=self.folder, timeout=300,
+        return subprocess.run(self.command, capture_output=True, cwd=self.folder, timeout=900,
                               text=True)  # fmt: skip
 
     def answer(self, number, *how):
         with open(self.path(number, "requests"), encoding="utf-8") as requests, \
              open(self.path(number, "answers"), "w", encoding="utf-8") as answers:  # fmt: skip
             subprocess.run([sys.executable, DRAWS, *how], stdin=requests, stdout=answers,
-                           timeout=300, check=True)  # fmt: skip
+                           timeout=900, check=True)  # fmt: skip
 
     def to_the_end(self, *how):
         """Returns the last call, and how many rounds there were."""
@@ -72,7 +72,7 @@ class RoundsTest(unittest.TestCase):
 
     def run_here(self, *arguments):
         return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=self.folder,
-                              timeout=300, text=True)  # fmt: skip
+                              timeout=900, text=True)  # fmt: skip
 
     def small(self):
         with open(os.path.join(self.folder, "small.json"), encoding="utf-8") as file:
@@ -102,9 +102,9 @@ class RoundsTest(unittest.TestCase):
         self.describe("inclusive")
         chosen = ("--description", "mine.subject", "--property", PROPERTY, "--cases", "10")
         asked = self.run_here("pipe", "ask", *chosen).stdout
-        said = subprocess.run([sys.executable, DRAWS, "inclusive"], input=asked, timeout=300,
+        said = subprocess.run([sys.executable, DRAWS, "inclusive"], input=asked, timeout=900,
                               capture_output=True, check=True, text=True).stdout  # fmt: skip
-        judged = subprocess.run([PROGRAM, "pipe", "judge", *chosen], input=said, timeout=300,
+        judged = subprocess.run([PROGRAM, "pipe", "judge", *chosen], input=said, timeout=900,
                                 capture_output=True, cwd=self.folder, text=True)  # fmt: skip
         self.assertEqual(judged.returncode, 1, judged.stderr)
         line = next(line for line in judged.stdout.splitlines() if "pipe shrink" in line)

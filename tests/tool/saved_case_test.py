@@ -20,7 +20,7 @@ VERBS = (("replay",), ("explain",), ("replay", "--shrink", "-"), ("convert", "--
 
 def run(*arguments, program=PROGRAM, data=None, **environment):
     return subprocess.run([program, *arguments], input=data, capture_output=True, cwd=SOURCES,
-                          timeout=300, check=False, env={**os.environ, **environment})  # fmt: skip
+                          timeout=900, check=False, env={**os.environ, **environment})  # fmt: skip
 
 
 def content(path):
@@ -31,7 +31,7 @@ def content(path):
 def type_in_bash(line):
     """Runs a printed command as a reader would: typed into a shell."""
     line = f"rasterproof() {{ {shlex.quote(PROGRAM)} \"$@\"; }}\n{line}"
-    return subprocess.run(["bash", "-c", line], capture_output=True, cwd=SOURCES, timeout=300,
+    return subprocess.run(["bash", "-c", line], capture_output=True, cwd=SOURCES, timeout=900,
                           check=False)  # fmt: skip
 
 

@@ -128,7 +128,7 @@ def run(*arguments):
     if arguments[:1] == ("check",):  # explaining takes longer than finding: causes_test.py has it
         arguments += ("--no-cause",)
     result = subprocess.run([PROGRAM, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-                            cwd=SOURCES, timeout=300, text=True)  # fmt: skip
+                            cwd=SOURCES, timeout=900, text=True)  # fmt: skip
     return result.returncode, result.stdout, result.stderr
 
 

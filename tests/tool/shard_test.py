@@ -33,7 +33,7 @@ class Parts(unittest.TestCase):
 
     def run_it(self, *arguments, **variables):
         process = self.start(*arguments, **variables)
-        out, err = process.communicate(timeout=300)
+        out, err = process.communicate(timeout=900)
         return subprocess.CompletedProcess(arguments, process.returncode, out, err)
 
     def good(self, done):
@@ -356,7 +356,7 @@ class Killed(Parts):
                             "30", "--shard", "2/2", "--jobs", "1", "--out", "killed")  # fmt: skip
         with open(waits, "w", encoding="utf-8"):  # opens once the worker has begun
             killed.send_signal(signal.SIGKILL)
-            killed.communicate(timeout=300)
+            killed.communicate(timeout=900)
         left = [name for _, _, names in os.walk(os.path.join(self.folder, "killed"))
                 for name in names]  # fmt: skip
         self.assertEqual(left, [])
@@ -364,7 +364,7 @@ class Killed(Parts):
         killed = self.start("certify", "--subject", SOUND, "--cases", "3000", "--shard", "2/2",
                             "--jobs", "1", "--out", "parts")  # fmt: skip
         killed.send_signal(signal.SIGKILL)
-        killed.communicate(timeout=300)
+        killed.communicate(timeout=900)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "parts", SOUND,
                                                      "part-2-of-2.json")))  # fmt: skip
         self.refused_merge(one)
@@ -384,7 +384,7 @@ class Killed(Parts):
                             "3", "--shard", "1/2", "--jobs", "1", "--out", "parts")  # fmt: skip
         with open(waits, "w", encoding="utf-8"):
             worker.send_signal(signal.SIGTERM)
-            out, err = worker.communicate(timeout=300)
+            out, err = worker.communicate(timeout=900)
         self.assertEqual(worker.returncode, 128 + signal.SIGTERM, err)
         self.assertIn("no part is written; run it again", out)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "parts")))

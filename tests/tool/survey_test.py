@@ -15,7 +15,7 @@ FEW = ("--cases", "20")
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=300,
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=SOURCES, timeout=900,
                           check=False)  # fmt: skip
 
 

@@ -30,7 +30,7 @@ def sweep(*names, cases=40, **kept):
         done = subprocess.run(
             [PROGRAM, "sweep", *(os.path.join(OWN, name) for name in names), "--json", file,
              "--cases", str(cases), *kept.pop("more", [])],
-            capture_output=True, text=True, timeout=500, check=False, env=environment,
+            capture_output=True, text=True, timeout=900, check=False, env=environment,
         )  # fmt: skip
         result = {}
         if os.path.exists(file):
@@ -222,7 +222,7 @@ class Sweep(unittest.TestCase):
     def test_a_result_that_could_not_be_written_is_refused_before_any_build(self):
         done = subprocess.run([PROGRAM, "sweep", os.path.join(OWN, "edge.c"), "--json",
                                "no-such-folder/sweep.json"],
-                              capture_output=True, text=True, timeout=60, check=False)  # fmt: skip
+                              capture_output=True, text=True, timeout=900, check=False)  # fmt: skip
         self.assertEqual(done.returncode, 2, "the sources, which don't build, were not looked at")
         self.assertIn("no-such-folder/sweep.json: can't be written", done.stderr)
 

@@ -19,7 +19,7 @@ BODIES = {"vulkan": "e6b202ee8e5e7091", "d3d11-canonical": "736d2cbb0b107f90"}
 
 def run(*arguments, **options):
     return subprocess.run([PROGRAM, "vectors", *arguments], capture_output=True, cwd=SOURCES,
-                          timeout=300, text=True, **options)  # fmt: skip
+                          timeout=900, text=True, **options)  # fmt: skip
 
 
 def samples(top, rows, row_length):

@@ -14,7 +14,7 @@ KNOWN = ("--fixed", "12.4", "--target", "4096x4096", "--tile", "8")
 
 
 def run(*arguments, folder=None):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=folder, timeout=100,
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=folder, timeout=900,
                           text=True)  # fmt: skip
 
 

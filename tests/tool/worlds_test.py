@@ -16,7 +16,7 @@ PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
 
 def run(*arguments):
     return subprocess.run([PROGRAM, *arguments], cwd=SOURCES, capture_output=True, text=True,
-                          timeout=300, check=False)  # fmt: skip
+                          timeout=900, check=False)  # fmt: skip
 
 
 class Worlds(unittest.TestCase):

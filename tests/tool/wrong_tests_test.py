@@ -19,7 +19,7 @@ NAMED = [(111, 44), (60, 107)]
 
 
 def run(*arguments):
-    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=FOLDER, timeout=300,
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=FOLDER, timeout=900,
                           text=True)  # fmt: skip
 
 

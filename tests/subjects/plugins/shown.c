@@ -86,6 +86,8 @@ static void show_fragment(const triangle* t, const int64_t e[3], const rasterpro
   const double first = w[0];
   w[0] = w[1];
   w[1] = first;
+#elif defined(BUG_EQUAL_WEIGHTS)
+  for (int k = 0; k < 3; ++k) w[k] = 1.0 / 3;
 #elif defined(BUG_SUM)
   w[2] *= 1 + 0x1p-44;
 #elif defined(BUG_DEPTH)

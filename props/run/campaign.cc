@@ -156,6 +156,7 @@ class Campaign {
       if (trial.stop == Stop::kDeadline && budget_.IsUp()) return EndWith(End::kTimeUp);
       const std::uint64_t index = block.indices[first + k];
       AddCase(index, cases[k], trial.verdict, result_);
+      result_.draws += trial.draws;
       if (options_.judged) options_.judged(cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {

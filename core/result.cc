@@ -18,6 +18,13 @@ void PropertyResult::AddCase(const Verdict& verdict) {
   }
 }
 
+DrawsJudged& DrawsJudged::operator+=(const DrawsJudged& more) {
+  window += more.window;
+  clip += more.clip;
+  largest_target = std::max(largest_target, more.largest_target);
+  return *this;
+}
+
 PropertyResult& PropertyResult::operator+=(const PropertyResult& next) {
   seconds += next.seconds;
   if (end != End::kAllRun) return *this;
@@ -34,6 +41,7 @@ PropertyResult& PropertyResult::operator+=(const PropertyResult& next) {
   for (std::size_t p = 0; p < places.size(); ++p) {
     AddCounters(kPlaceCounters, next.places[p], places[p]);
   }
+  draws += next.draws;
   end = next.end;
   tiers += next.tiers;
   if (end != End::kAllRun) tiers = {};

@@ -35,6 +35,20 @@ inline constexpr std::array<std::string_view, kKindsOfPlaces> kCasePlaces{
     "a triangle of negative area",   "a clip-space vertex off the target or with w <= 0"};
 using CountsOfPlaces = std::array<PlaceCounts, kKindsOfPlaces>;
 
+/// The draws that put a property to the test: of scenes in each space as the subject is given them,
+/// and the samples of their largest target.
+struct DrawsJudged {
+  std::uint64_t window = 0;
+  std::uint64_t clip = 0;
+  std::uint64_t largest_target = 0;
+
+  DrawsJudged& operator+=(const DrawsJudged& more);
+};
+inline constexpr auto kDrawsJudged =
+    std::to_array<Counter<DrawsJudged>>({{"window", &DrawsJudged::window},
+                                         {"clip", &DrawsJudged::clip},
+                                         {"largest_target", &DrawsJudged::largest_target}});
+
 /// How the run of a property over its cases ended.
 enum class End : std::uint8_t {
   kAllRun,         ///< with its last case
@@ -88,6 +102,7 @@ struct PropertyResult {
   std::uint64_t refused_within_limits = 0;  ///< of cases_refused
   std::string why_refused;                  ///< the first of those refusals
   CountsOfPlaces places{};                  ///< of cases within the limits
+  DrawsJudged draws;
 
   /// Decisions of the oracle over all cases; none if it ended with a case or sooner: how often then
   /// depends on which cases shared calls with that one.

@@ -69,6 +69,15 @@ std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
   return clauses;
 }
 
+Grounds AuthorityOf(const Property& property, const SubjectInfo& info) {
+  const bool states_error = info.fragments.barycentric_error > 0;
+  if (states_error) {
+    std::vector<const Clause*> clauses = ClausesFor(property.required_with_error, info.profile);
+    if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};
+  }
+  return AuthorityOf(property, info.profile);
+}
+
 Grounds AuthorityOf(const Property& property, const Profile& profile) {
   std::vector<const Clause*> clauses = ClausesFor(property.required_by, profile);
   if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};

@@ -9,6 +9,7 @@
 #include "core/authority.h"
 #include "core/clauses/clauses.h"
 #include "core/profile.h"
+#include "core/subject_info.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -24,13 +25,17 @@ struct Grounds {
 std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
                                       const Profile& profile);
 
-/// Returns who asks for the property of a subject that states the profile.
+/// Returns who asks for the property of a subject that states the profile, and nothing beside it.
 ///
 /// kClause       the profile is a specification's, and the row names a clause of it or of its base.
 /// kStatedModel  otherwise, if the profile is nobody's but the subject's own and states it, or
 ///               leaves one model; or if the property is judged by bounds that the subject states.
 /// kQuality      otherwise: the specification, or the profile, leaves it open.
 Grounds AuthorityOf(const Property& property, const Profile& profile);
+
+/// Returns who asks for the property of the subject: as of its profile, with the clauses that
+/// require it once the subject states how far off its barycentrics may be.
+Grounds AuthorityOf(const Property& property, const SubjectInfo& info);
 
 }  // namespace rasterproof::props
 

@@ -62,6 +62,9 @@ struct Property {
   std::string_view clause;  ///< what it enforces, with its source
   /// Clauses of core/clauses/ that require it, by their ids: see AuthorityOf.
   std::span<const std::string_view> required_by = {};
+  /// Clauses about exact numbers, which state no error: they require the property of a subject that
+  /// states its own.
+  std::span<const std::string_view> required_with_error = {};
   /// Whether a profile's own words state it, of those that the gate lets through. nullptr: all do.
   bool (*stated_by)(const Profile&) = nullptr;
   std::string_view tolerance;  ///< the named, proven bound, or "none: exact"

@@ -160,6 +160,7 @@ std::string CertificateToJson(const Certificate& certificate) {
   for (const auto& [name, count] : TiersByName(certificate)) json.Key(name).Integer(count);
   json.EndObject();
   WriteEvidence(json, "not_applicable", NotApplicable(certificate));
+  WriteEvidence(json, "not_asked", certificate.not_asked);
   json.EndObject();
   return json.Finish();
 }

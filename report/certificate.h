@@ -40,6 +40,9 @@ struct Certificate {
   std::string contract_untested;
   /// How little of the contract was put to the test; empty if it was enough.
   std::string contract_thin;
+  /// What the subject shows or takes and nothing in the run asked for: "depths in clip space", and
+  /// why. Empty if the run was interrupted.
+  std::vector<Evidence> not_asked;
   /// Statements about the subject's arithmetic. `by` has the hash of the proof script, and where
   /// the script was run, or that it was not.
   std::vector<Evidence> proved;

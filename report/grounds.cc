@@ -40,6 +40,15 @@ std::string AssumptionLines(const Profile& profile) {
   return lines;
 }
 
+std::string NotAskedText(const std::vector<Evidence>& list) {
+  std::string text;
+  for (const Evidence& one : list) {
+    text += (text.empty() ? "" : "; ") + one.statement;
+    if (!one.by.empty()) text += " (" + one.by + ")";
+  }
+  return text;
+}
+
 void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list) {
   json.Key(key).BeginArray();
   for (const Evidence& evidence : list) {

@@ -23,6 +23,10 @@ std::vector<Evidence> AssumptionsUnder(const Profile& profile);
 /// The same as lines of text: "assumed          vulkan.one-position: Polygons that ...".
 std::string AssumptionLines(const Profile& profile);
 
+/// What was not asked, in one line: "depths in clip space (no property judges them); targets above
+/// 65536 samples".
+std::string NotAskedText(const std::vector<Evidence>& list);
+
 /// Writes a member of an object: [{"statement": "vulkan.one-position", "by": "Triangles ..."}].
 void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list);
 

@@ -220,7 +220,9 @@ std::string EvidenceLists(const Certificate& certificate) {
          EvidenceList("exhausted", Exhausted(certificate)) +
          EvidenceList("assumed: readings that no sentence of the specification settles",
                       AssumptionsUnder(certificate.subject.profile)) +
-         TierList(certificate) + EvidenceList("not applicable", NotApplicable(certificate));
+         TierList(certificate) + EvidenceList("not applicable", NotApplicable(certificate)) +
+         EvidenceList("not asked: what it shows or takes, and nothing put to the test",
+                      certificate.not_asked);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -23,6 +24,7 @@
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
+#include "props/run/not_asked.h"
 #include "subjects/process/process.h"
 #include "tool/description.h"
 #include "tool/evidence.h"
@@ -115,11 +117,13 @@ std::vector<Test> TestsOf(const SubjectInfo& info, const std::vector<std::string
 Certification::Certification(const SubjectFactory& subject, const CertifyOptions& options,
                              MeasuredScenes& scenes, const Source& source)
     : subject_(subject),
-      info_(subject.Make()->Info()),
       options_(options),
       scenes_(scenes),
-      source_(source),
-      tests_(TestsOf(info_, options.worlds)) {
+      source_(source) {
+  const std::unique_ptr<Subject> made = subject.Make();
+  info_ = made->Info();
+  outputs_ = props::OutputsOf(*made);
+  tests_ = TestsOf(info_, options.worlds);
   parts_.resize(tests_.size() + scenes.size());
 }
 
@@ -195,6 +199,7 @@ report::Certificate Certification::Result() const {
     const props::ContractEvidence evidence = props::EvidenceOfContract(info_, certificate.tested);
     if (!evidence.is_exercised) certificate.contract_untested = evidence.why;
     certificate.contract_thin = evidence.thin;
+    certificate.not_asked = UnaskedOf(info_, outputs_, certificate.tested);
   }
   std::for_each(scenes, parts_.end(), add);
   return certificate;

@@ -140,6 +140,7 @@ class Certification {
 
   const SubjectFactory& subject_;
   SubjectInfo info_;
+  std::vector<props::Shows> outputs_;
   const CertifyOptions& options_;
   MeasuredScenes& scenes_;
   const Source& source_;

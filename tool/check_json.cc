@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "io/case_file.h"
+#include "report/grounds.h"
 #include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/causes.h"
@@ -86,6 +87,7 @@ std::string CheckJson(std::span<const Findings> subjects, int status) {
     json.BeginObject().Key("subject").Text(found.subject);
     json.Key("profile").Text(io::ProfileName(found.profile));
     json.Key("status").Integer(StatusOf(found)).Key("not_asked").Integer(found.not_asked);
+    report::WriteEvidence(json, "unasked", found.unasked);
     json.Key("failures").BeginArray();
     for (std::size_t k = 0; k < found.all.size(); ++k) {
       if (found.all[k].failure) AddFailure(json, found, k);

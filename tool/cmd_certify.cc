@@ -241,6 +241,8 @@ std::string Remarks(const report::Certificate& certificate) {
   for (const report::Evidence& evidence : report::NotApplicable(certificate)) {
     if (evidence.statement.starts_with("scene ")) add(evidence.statement + ": " + evidence.by);
   }
+  const std::string not_asked = report::NotAskedText(certificate.not_asked);
+  if (!not_asked.empty()) add("not asked: " + not_asked);
   return text;
 }
 

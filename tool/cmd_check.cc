@@ -32,6 +32,7 @@
 #include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
 #include "props/run/near_edge.h"
+#include "props/run/not_asked.h"
 #include "props/run/property_domains.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
@@ -40,6 +41,7 @@
 #include "tool/causes.h"
 #include "tool/check_json.h"
 #include "tool/commands.h"
+#include "tool/evidence.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
@@ -235,6 +237,13 @@ void AddContract(const SubjectInfo& subject, Findings& found) {
   }
 }
 
+// Of generated cases; who gives cases knows what they have.
+void AddUnasked(const Subject& subject, Findings& found) {
+  std::vector<PropertyResult> results;
+  for (const Finding& finding : found.all) results.push_back(finding.result);
+  found.unasked = UnaskedOf(subject.Info(), props::OutputsOf(subject), results);
+}
+
 // Adds the shares, in their order.
 void Add(std::vector<Share> shares, const FailFast& fail_fast, Findings& found) {
   for (Share& share : shares) {
@@ -391,8 +400,10 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
     } else {
       CheckGiven(crew, subject, asked, options, fail_fast, progress, found);
     }
-    if (asked.is_whole_catalogue && !Interrupted() && found.not_asked == 0)
+    if (asked.is_whole_catalogue && !Interrupted() && found.not_asked == 0) {
       AddContract(crew.Of(0).Info(), found);
+      if (asked.cases.empty()) AddUnasked(crew.Of(0), found);
+    }
   } catch (...) {
     io::WriteStandardOutput(FindingsText(found, options.verbose));
     throw;

@@ -45,6 +45,10 @@ std::string ListProperties() {
     if (!property.required_by.empty()) {
       text += fmt::format("    required: {}\n", fmt::join(property.required_by, ", "));
     }
+    if (!property.required_with_error.empty()) {
+      text += fmt::format("    required: {}, where the subject states its error\n",
+                          fmt::join(property.required_with_error, ", "));
+    }
   }
   return text;
 }

@@ -11,6 +11,7 @@
 #include "fmt/format.h"
 #include "io/json_document.h"
 #include "io/output.h"
+#include "props/run/not_asked.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {
@@ -77,6 +78,16 @@ std::vector<report::Evidence> ProvedOf(const SubjectInfo& info) {
     proved.push_back({proof.statement, WhereProved(proof.script)});
   }
   return proved;
+}
+
+std::vector<report::Evidence> UnaskedOf(const SubjectInfo& info,
+                                        std::span<const props::Shows> outputs,
+                                        std::span<const PropertyResult> results) {
+  std::vector<report::Evidence> unasked;
+  for (const props::NotAskedOf& one : props::NotAsked(info, outputs, results)) {
+    unasked.push_back({one.what, one.why});
+  }
+  return unasked;
 }
 
 }  // namespace rasterproof::tool

@@ -1,10 +1,13 @@
-// What was proved of a subject's arithmetic, and where its proof was run.
+// What was proved of a subject's arithmetic, and where its proof was run; what was not asked of it.
 #ifndef RASTERPROOF_TOOL_EVIDENCE_H_
 #define RASTERPROOF_TOOL_EVIDENCE_H_
 
+#include <span>
 #include <vector>
 
+#include "core/result.h"
 #include "core/subject_info.h"
+#include "props/judging/gate.h"
 #include "report/certificate.h"
 
 namespace rasterproof::tool {
@@ -13,6 +16,11 @@ namespace rasterproof::tool {
 /// built, and what the tests recorded of its run: proofs/NAME.json beside the command
 /// (scripts/prove). Without a record of that very script it says "not run for this source".
 std::vector<report::Evidence> ProvedOf(const SubjectInfo& info);
+
+/// As props::NotAsked(): each with its reason, which may be empty.
+std::vector<report::Evidence> UnaskedOf(const SubjectInfo& info,
+                                        std::span<const props::Shows> outputs,
+                                        std::span<const PropertyResult> results);
 
 }  // namespace rasterproof::tool
 

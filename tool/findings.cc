@@ -225,7 +225,10 @@ std::string FindingsText(const Findings& found, bool verbose) {
                                Counted(not_asked.count(), "property is", "properties are")));
   }
   if (!rest.empty()) text += fmt::format("--verbose shows {}\n", fmt::join(rest, ", "));
-  return text + found.notes;
+  text += found.notes;
+  if (found.unasked.empty()) return text;
+  return text + fmt::format("{:<16} {:<10} {}\n", "not asked", found.subject,
+                            report::NotAskedText(found.unasked));
 }
 
 }  // namespace rasterproof::tool

@@ -16,6 +16,7 @@
 #include "core/verdict.h"
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
+#include "report/certificate.h"
 
 namespace rasterproof::tool {
 
@@ -49,6 +50,8 @@ struct Findings {
   Profile profile = {};
   std::vector<Finding> all = {};
   std::string notes = {};  ///< of the contract and of known failures
+  /// What it shows or takes and no property was asked about, of a run over the whole catalogue.
+  std::vector<report::Evidence> unasked = {};
   std::string cases = {};  ///< for --cases-json
   bool is_contract_untested = false;
   std::size_t not_asked = 0;  ///< properties left out after the first failure

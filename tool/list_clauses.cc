@@ -19,7 +19,10 @@ namespace {
 std::vector<std::string_view> EnforcedBy(const Clause& clause) {
   std::vector<std::string_view> names;
   for (const props::Property& property : props::Catalog()) {
-    if (std::ranges::count(property.required_by, clause.id) != 0) names.push_back(property.name);
+    if (std::ranges::count(property.required_by, clause.id) != 0 ||
+        std::ranges::count(property.required_with_error, clause.id) != 0) {
+      names.push_back(property.name);
+    }
   }
   return names;
 }

@@ -51,7 +51,8 @@ class TestCheck {
   }
 
   void RequireCounts() const {
-    for (const std::uint64_t count : {result_.exercised, result_.not_judged}) {
+    for (const std::uint64_t count :
+         {result_.exercised, result_.not_judged, result_.draws.window, result_.draws.clip}) {
       Require(count <= kMostCounted, fmt::format("{} is no count that any run reaches", count));
     }
     Require(

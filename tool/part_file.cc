@@ -67,6 +67,7 @@ void WriteSums(JsonWriter& json, const PropertyResult& sums) {
     json.EndObject();
   }
   json.EndArray();
+  json.Key("draws").BeginObject().Members(kDrawsJudged, sums.draws).EndObject();
   json.Key("places").BeginArray();
   for (const PlaceCounts& counts : sums.places) {
     json.BeginObject();
@@ -149,6 +150,7 @@ void ReadSums(const JsonValue& object, PropertyResult& sums) {
     counts.drawn = IntegerOf<std::uint64_t>(domain.Get("drawn"));
     Read(kNearEdgeCounters, domain, counts.near_edge);
   }
+  Read(kDrawsJudged, object.Get("draws"), sums.draws);
   const JsonValue places = object.Get("places");
   if (places.RequireArray().size() != sums.places.size()) {
     throw places.Error("has no entry for every place, or more", "write the part again");

@@ -11,9 +11,11 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "props/judging/exact_comparison.h"
 #include "props/judging/free_choices.h"
 #include "props/judging/gate.h"
 #include "props/judging/one_by_one.h"
+#include "props/judging/outline.h"
 #include "props/judging/precision_units.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"
@@ -186,8 +188,27 @@ std::array<double, 3> TolerancesOf(const EdgeErrors& errors, Precision precision
   return tolerances;
 }
 
+// The sample is where the pattern puts it, or anywhere that is as far from there as any place of
+// the pixel may be.
+LegalPlaces SamplePlacesOf(const PlacedCase& c, Point2 at) {
+  const double reach = SampleReach(c.profile);
+  return {{at.x - reach, at.y - reach}, {at.x + reach, at.y + reach}};
+}
+
+// The worst over all places of the sample: S_i, |E_i| and d are convex in p.
+EdgeErrors EdgeErrorsOver(const Points3& v, const LegalPlaces& sample, Precision precision) {
+  const auto [low, high] = sample;
+  EdgeErrors worst = EdgeErrorsAt(v, low, precision);
+  if (low == high) return worst;
+  for (const Point2 p : {high, Point2{low.x, high.y}, Point2{high.x, low.y}}) {
+    worst = Worst(worst, EdgeErrorsAt(v, p, precision));
+  }
+  return worst;
+}
+
 // What holds of a fragment wherever the profile lets its triangle's corners lie.
 struct AnyOwners {
+  std::array<LegalPlaces, 3> places;
   EdgeErrors errors;
   bool inside = true;
   bool overflows = false;
@@ -212,6 +233,7 @@ std::optional<AnyOwners> OverLegalPlaces(const PlacedCase& c, const Triangle& t,
   if (!places) return std::nullopt;
   if (info.fragments.barycentrics_of == BarycentricsOf::kEither) AddGiven(c, t, *places);
   const Precision precision = info.input;
+  const LegalPlaces sample = SamplePlacesOf(c, p);
   std::optional<AnyOwners> all;
   int facing = 0;
   for (unsigned ends = 0; ends < 64; ++ends) {
@@ -224,8 +246,8 @@ std::optional<AnyOwners> OverLegalPlaces(const PlacedCase& c, const Triangle& t,
     const int here = exact::Facing(v);
     if (here == 0 || (all && here != facing)) return std::nullopt;
     facing = here;
-    const EdgeErrors errors = EdgeErrorsAt(v, p, precision);
-    if (!all) all = AnyOwners{errors};
+    const EdgeErrors errors = EdgeErrorsOver(v, sample, precision);
+    if (!all) all = AnyOwners{*places, errors};
     all->errors = Worst(all->errors, errors);
     all->inside = all->inside && InClosedTriangle(v, p);
     all->overflows = all->overflows || Overflows(v, p, precision);
@@ -238,6 +260,7 @@ bool TolerateAnyOwners(const PlacedCase& c, const SubjectInfo& info, Fragment& f
   const Triangle& t = c.scene.triangles[static_cast<std::size_t>(f.query.triangle)];
   const auto any = OverLegalPlaces(c, t, f.query.place.at, info);
   if (!any) return false;
+  f.free_places = {any->places, SamplePlacesOf(c, f.query.place.at)};
   f.query.inside = any->inside;
   const double stated = info.fragments.barycentric_error;
   f.barycentric_tolerances = stated > 0       ? std::array<double, 3>{stated, stated, stated}
@@ -294,6 +317,15 @@ std::optional<Fragment> ReadBy(const Scene& owners, bool are_known, Fragment f, 
   if (!are_known) return TolerateAnyOwners(c, info, f) ? std::optional(f) : std::nullopt;
   f.query.inside = InClosedTriangle(f.query.v, f.query.place.at);
   f.barycentric_tolerances = BarycentricTolerances(info, f.query);
+  if (SampleReach(c.profile) != 0) {
+    const auto& [v0, v1, v2] = f.query.v;
+    const LegalPlaces sample = SamplePlacesOf(c, f.query.place.at);
+    f.free_places = {{{{v0, v0}, {v1, v1}, {v2, v2}}}, sample};
+    if (!(info.fragments.barycentric_error > 0) && IsStated(f.barycentric_tolerances[0])) {
+      f.barycentric_tolerances =
+          TolerancesOf(EdgeErrorsOver(f.query.v, sample, info.input), info.input);
+    }
+  }
   f.depth_tolerance = DepthTolerance(info, f, SizeOfBarycentrics(f.query));
   return f;
 }

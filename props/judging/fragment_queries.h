@@ -13,10 +13,17 @@
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "props/judging/barycentric_queries.h"
+#include "props/judging/free_choices.h"
 #include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
+
+/// Where the legal choices put a fragment's corners and its sample: each in its rectangle.
+struct FreePlaces {
+  std::array<LegalPlaces, 3> corners;
+  LegalPlaces sample;
+};
 
 /// The subject's output at one covered sample, and its tolerances.
 struct Fragment {
@@ -25,6 +32,8 @@ struct Fragment {
   /// Whether these are known. If not, the query's are the given ones, and the tolerances hold of
   /// any that are legal.
   bool owners_are_known = true;
+  /// Nothing if owners and sample are known: then the query has their places.
+  std::optional<FreePlaces> free_places;
   /// True if the draw was asked for barycentrics or for depths, and not for the other.
   bool asked_alone = false;
   std::array<double, 3> z{};

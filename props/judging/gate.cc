@@ -48,6 +48,7 @@ Wanted WantedBy(Shows shows) {
               "the subject shows no barycentrics",
               "the subject shows barycentrics and states a finite bound there"};
     case Shows::kFragments:
+    case Shows::kDepths:
       return {[](const D& d) { return d.info.coverage == CoverageKind::kFragments; },
               "the subject shows no fragments", "the subject shows fragments"};
     case Shows::kCentroids:
@@ -139,7 +140,8 @@ std::optional<std::string> ProfileDoesNotState(const Gate& gate, const SubjectIn
   for (const ProfileRule& rule : gate.rules) {
     if (!rule.holds(profile)) return std::string(rule.why_not);
   }
-  const bool is_of_fragments = gate.shows == Shows::kFragments || gate.shows == Shows::kCentroids;
+  const bool is_of_fragments = gate.shows == Shows::kFragments || gate.shows == Shows::kDepths ||
+                               gate.shows == Shows::kCentroids;
   if (is_of_fragments && !gate.any_owners && LeavesBarycentricsOpen(info, profile)) {
     return "the profile leaves the grid points free that the barycentrics belong to";
   }
@@ -261,6 +263,8 @@ bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
   return info.fragments.barycentrics_of == BarycentricsOf::kSnapped &&
          LeavesGridPointsOpen(profile);
 }
+
+bool IsShownBy(Shows shows, const Description& subject) { return WantedBy(shows).has(subject); }
 
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject) {
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;

@@ -34,7 +34,8 @@ enum class Shows : std::uint8_t {
   kEdgeValues,
   kSteps,
   kBarycentrics,
-  kFragments,  ///< of vertices that are given, or that the profile places
+  kFragments,  ///< barycentrics, of vertices that are given, or that the profile places
+  kDepths,     ///< of such fragments
   kCentroids,  ///< of such fragments
   kPrimitiveIds,
   kTiles,
@@ -106,6 +107,9 @@ bool LeavesGridPointsOpen(const Profile& profile);
 /// Whether the subject says that the barycentrics of its fragments belong to grid points, and the
 /// profile leaves these free.
 bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile);
+
+/// Returns whether the subject shows this, or takes it as an option.
+bool IsShownBy(Shows shows, const Description& subject);
 
 /// Returns why the property does not apply to the subject, whatever the case, or nothing if it may.
 ///

@@ -53,6 +53,9 @@ inline constexpr auto kCentroidClauses = std::to_array<std::string_view>(
     {"gl.centroid", "vulkan.centroid", "d3d11.centroid", "webgpu.centroid"});
 inline constexpr auto kBarycentricClauses =
     std::to_array<std::string_view>({"gl.barycentric", "vulkan.barycentric"});
+// Where the subject states its error: of exact barycentrics all four speak.
+inline constexpr auto kBarycentricErrorClauses = std::to_array<std::string_view>(
+    {"gl.barycentric", "vulkan.barycentric", "d3d11.interpolator", "webgpu.barycentric"});
 // Pixels as squares: what is met must be covered, what is held may be.
 inline constexpr auto kSquaresMetClauses =
     std::to_array<std::string_view>({"gl.nv-conservative", "vulkan.overestimate",

@@ -15,6 +15,10 @@ inline constexpr Gate kAsksFragments{.shows = Shows::kFragments,
                                      .contract = ContractNeeded::kNone,
                                      .any_owners = true,
                                      .unwrapped = true};
+inline constexpr Gate kAsksDepths{.shows = Shows::kDepths,
+                                  .contract = ContractNeeded::kNone,
+                                  .any_owners = true,
+                                  .unwrapped = true};
 
 // Where: see Gate.
 inline constexpr std::string_view kAreaNotZero = "area not zero";

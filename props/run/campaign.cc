@@ -161,6 +161,7 @@ class Campaign {
       const std::uint64_t index = block.indices[first + k];
       AddCase(options_.world == nullptr ? order_.PlaceOf(index) : 0, cases[k], trial.verdict,
               result_);
+      result_.draws += trial.draws;
       if (options_.judged) options_.judged(cases[k], trial.verdict);
       if (no_answer) return TooSlow(cases[k], trial.verdict);
       if (trial.verdict.outcome == Outcome::kViolated) {

@@ -254,7 +254,7 @@ PropertyResult NothingRun(const SubjectInfo& info, const Property& property, std
   result.property = property.name;
   result.subject = info.name;
   result.clause = property.clause;
-  const Grounds grounds = AuthorityOf(property, info.profile);
+  const Grounds grounds = AuthorityOf(property, info);
   result.authority = grounds.authority;
   for (const Clause* clause : grounds.clauses) result.required_by.emplace_back(clause->id);
   result.tolerance = property.tolerance;

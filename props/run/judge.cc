@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,6 +51,7 @@ CaseJudge::CaseJudge(const Property& property, const Case& c, const Description&
 
 void CaseJudge::Conclude(Trial trial) {
   trial.verdict = RenumberWitness(placed_, std::move(trial.verdict));
+  trial.draws = draws_;
   trial_ = std::move(trial);
 }
 
@@ -68,6 +70,19 @@ std::shared_ptr<const DrawnScene> CaseJudge::DrawnBy(const Check& check, std::si
     drawn.scene = *std::move(given);
   }
   return std::make_shared<DrawnScene>(std::move(drawn.scene), job.options);
+}
+
+// In the space in which the subject was given them.
+void CaseJudge::CountDraws(const Check& check) {
+  for (const DrawQuestion& question : check.questions.draws) {
+    const Scene& scene = *question.job.scene;
+    const bool is_clip = scene.clip_space || placed_.before.has_value();
+    ++(is_clip ? draws_.clip : draws_.window);
+    const auto samples = static_cast<std::uint64_t>(scene.width) *
+                         static_cast<std::uint64_t>(scene.height) *
+                         static_cast<std::uint64_t>(question.job.samples);
+    draws_.largest_target = std::max(draws_.largest_target, samples);
+  }
 }
 
 void CaseJudge::StopBy(const Answers& answers) {
@@ -102,6 +117,7 @@ void CaseJudge::Take(Answers answers) {
                 answers.draws.begin() + static_cast<std::ptrdiff_t>(check.bases.size()),
                 answers.draws.end());
   Verdict verdict = WorkedOut(place_, [&] { return check.judge(answers); });
+  if (verdict.exercised != 0) CountDraws(check);
   sum_.exercised += verdict.exercised;
   sum_.not_judged += verdict.not_judged;
   sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);

@@ -99,6 +99,7 @@ class CaseJudge {
  private:
   void Conclude(Trial trial);
   std::shared_ptr<const DrawnScene> DrawnBy(const Check& check, std::size_t k) const;
+  void CountDraws(const Check& check);
   void StopBy(const Answers& answers);
 
   const Property& property_;
@@ -109,6 +110,7 @@ class CaseJudge {
   std::size_t next_ = 0;
   std::vector<std::shared_ptr<const Drawing>> drawn_;
   Verdict sum_ = Verdict::Held(0);
+  DrawsJudged draws_;
   Verdict violation_;  ///< as the property says it
   std::optional<Trial> trial_;
 };

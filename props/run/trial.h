@@ -7,6 +7,7 @@
 
 #include "core/call_end.h"
 #include "core/case.h"
+#include "core/result.h"
 #include "core/subject.h"
 #include "core/verdict.h"
 #include "props/property.h"
@@ -18,6 +19,8 @@ struct Trial {
   Verdict verdict;
   /// How a call to the subject ended, if that is what the verdict says.
   Stop stop = Stop::kNone;
+  /// Of the checks that put the property to the test.
+  DrawsJudged draws = {};
 };
 
 /// A fault of ours, met while a property was judged: the message says of which property and case.

@@ -5,11 +5,13 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/clauses/clauses.h"
 #include "core/profile.h"
 #include "core/result.h"
+#include "core/subject_info.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -45,6 +47,10 @@ TEST(Authority, EveryClauseThatARowNamesExistsAndRequires) {
     for (const std::string_view id : property.required_by) {
       ASSERT_NE(FindClause(id), nullptr) << property.name << ": " << id;
       EXPECT_NE(FindClause(id)->force, Force::kSilent) << property.name << ": " << id;
+    }
+    for (const std::string_view id : property.required_with_error) {
+      ASSERT_NE(FindClause(id), nullptr) << property.name << ": " << id;
+      EXPECT_EQ(FindClause(id)->force, Force::kRequired) << property.name << ": " << id;
     }
   }
 }
@@ -95,6 +101,29 @@ TEST(Authority, OnceAtAVertexIsQualityUnlessAnOwnerIsStated) {
   for (const char* name : {"gl", "vulkan", "webgpu", "mine"}) {
     EXPECT_EQ(GroundsOf("OpenTiesAreCoveredOnce", LegalSet(name)).authority, Authority::kQuality)
         << name;
+  }
+}
+
+// What clauses say of exact barycentrics binds who says how far off its own may be.
+TEST(Authority, AClauseAndAStatedErrorRequireTogether) {
+  constexpr std::string_view kWithin = "FragmentBarycentricsStayWithinTheirError";
+  for (const auto& [set, clause] : {std::pair{"gl", "gl.barycentric"},
+                                    {"vulkan", "vulkan.barycentric"},
+                                    {"d3d11", "d3d11.interpolator"},
+                                    {"webgpu", "webgpu.barycentric"}}) {
+    SubjectInfo info;
+    info.profile = *PresetProfile(set);
+    EXPECT_EQ(AuthorityOf(*FindProperty(kWithin), info).authority, Authority::kQuality) << set;
+    info.fragments.barycentric_error = 1e-5;
+    for (const std::string_view property :
+         {kWithin, std::string_view("FragmentBarycentricsSumToOne")}) {
+      const Grounds grounds = AuthorityOf(*FindProperty(property), info);
+      EXPECT_EQ(grounds.authority, Authority::kClause) << set << ", " << property;
+      EXPECT_EQ(IdsOf(grounds), std::vector<std::string>{clause}) << property;
+    }
+    EXPECT_EQ(AuthorityOf(*FindProperty("FragmentDepthFollowsItsBarycentrics"), info).authority,
+              Authority::kQuality)
+        << set << ": no clause speaks of depth";
   }
 }
 

@@ -389,23 +389,6 @@ TEST(FreeChoices, FoldsHaveTrianglesThatTurnAndOthers) {
   }
 }
 
-TEST(FreeChoices, FragmentsOfSnappedVerticesAreNotComparedWhereTheGridPointsAreFree) {
-  SubjectInfo info = FreeInfo(8, 0.6);
-  info.coverage = CoverageKind::kFragments;
-  info.fragments.barycentrics_of = BarycentricsOf::kSnapped;
-  const Freedom by_tolerance = info.profile.freedom;
-  Freedom by_rounding;
-  by_rounding.any_rounding = true;
-  Freedom by_bits;
-  by_bits.least_bits = 4;
-  for (const Freedom& freedom : {by_tolerance, by_rounding, by_bits}) {
-    info.profile.freedom = freedom;
-    FakeSubject subject = Placing(info, UpFrom42Of(0x1p-8));
-    EXPECT_EQ(Judged("FragmentBarycentricsStayWithinTheirError", subject, FoldedRow()).outcome,
-              Outcome::kNotApplicable);
-  }
-}
-
 TEST(FreeChoices, ClipSpaceAndManyTrianglesAreSearchedJointly) {
   SubjectInfo info = FreeInfo(8, 0.6);
   info.takes_clip = true;

@@ -65,6 +65,16 @@ TEST(Grounds, TheCertificateNamesAuthorityAndClauses) {
   EXPECT_EQ(json["assumed"][2]["statement"], "vulkan.clip-point");
 }
 
+TEST(Grounds, WhatWasNotAskedIsDataAndOneLine) {
+  const Certificate certificate = SampleCertificate();
+  const auto json = ParseJson(CertificateToJson(certificate));
+  ASSERT_EQ(json["not_asked"].size(), 2U);
+  EXPECT_EQ(json["not_asked"][0]["statement"], "depths in clip space");
+  EXPECT_EQ(json["not_asked"][0]["by"], "no property judges them");
+  EXPECT_EQ(NotAskedText(certificate.not_asked),
+            "depths in clip space (no property judges them); targets above 4096 samples");
+}
+
 TEST(Grounds, AModelAssumesNothing) {
   Certificate model = ShortOf(Authority::kStatedModel);
   model.subject.profile.name = "vulkan-canonical";

@@ -65,6 +65,8 @@ Certificate SampleCertificate() {
   certificate.command = "rasterproof certify f32-direct --out out";
   certificate.environment = {{"compiler", "g++ 12.2"}, {"rounding", "to nearest"}};
   certificate.seed = 7;
+  certificate.not_asked = {{"depths in clip space", "no property judges them"},
+                           {"targets above 4096 samples", ""}};
   certificate.proved = {{"the sign is exact up to 11 bits", "reference/proofs/direct.g"}};
   certificate.tested = {SampleProperty("EdgeIsAntisymmetric", Outcome::kHolds),
                         SampleProperty("SharedEdgeSamplesAreCoveredOnce", Outcome::kViolated),

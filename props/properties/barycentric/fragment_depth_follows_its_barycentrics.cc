@@ -62,7 +62,7 @@ extern constinit const Property kFragmentDepthFollowsItsBarycentrics{
     .tolerance =
         "the depth's and the barycentrics' tolerances, the latter times the vertices' depths",
     .domains = kFragments,
-    .gate = Where(kAsksFragments, kAreaNotZero),
+    .gate = Where(kAsksDepths, kAreaNotZero),
     .ask = fragment_depth_follows_its_barycentrics::Ask,
 };
 

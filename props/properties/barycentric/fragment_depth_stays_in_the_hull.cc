@@ -46,7 +46,7 @@ extern constinit const Property kFragmentDepthStaysInTheHull{
     .required_by = kBarycentricClauses,
     .tolerance = kDepthTolerance,
     .domains = kFragments,
-    .gate = Where(kAsksFragments, "samples in the closed triangle of the vertices that it names"),
+    .gate = Where(kAsksDepths, "samples in the closed triangle of the vertices that it names"),
     .ask = fragment_depth_stays_in_the_hull::Ask,
 };
 

@@ -25,6 +25,13 @@ static const int kFirstWins = 1;
 static const int kFirstWins = 0;
 #endif
 
+/* With w: the places are x / w and y / w, and everything between them is affine. */
+#if defined(TAKES_BOTH_SPACES)
+#define SPACES RASTERPROOF_TAKES_CLIP_SPACE
+#else
+#define SPACES 0
+#endif
+
 #if defined(SHOWS_CENTROIDS)
 #define CENTROIDS RASTERPROOF_SHOWS_CENTROIDS
 #else
@@ -86,6 +93,8 @@ static void show_fragment(const triangle* t, const int64_t e[3], const rasterpro
   const double first = w[0];
   w[0] = w[1];
   w[1] = first;
+#elif defined(BUG_EQUAL_WEIGHTS)
+  for (int k = 0; k < 3; ++k) w[k] = 1.0 / 3;
 #elif defined(BUG_SUM)
   w[2] *= 1 + 0x1p-44;
 #elif defined(BUG_DEPTH)
@@ -174,8 +183,9 @@ static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
   for (int k = 0; k < 3; ++k) {
     const double* const from = scene->vertices + 4 * scene->triangles[3 * index + (size_t)k];
     for (int axis = 0; axis < 2; ++axis) {
-      if (!(fabs(from[axis]) <= 32768)) return 0;
-      t->v[k][axis] = (int64_t)nearbyint(from[axis] * 256);
+      const double at = SPACES != 0 ? from[axis] / from[3] : from[axis];
+      if (!(fabs(at) <= 32768) || (SPACES != 0 && !(from[3] > 0))) return 0;
+      t->v[k][axis] = (int64_t)nearbyint(at * 256);
     }
     t->z[k] = from[2];
   }
@@ -297,7 +307,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING,
 #else
       .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING | RASTERPROOF_TAKES_WANTS |
-               CENTROIDS,
+               CENTROIDS | SPACES,
 #endif
       .draw = DRAW,
 #if defined(NO_BATCHES)

@@ -20,7 +20,7 @@ bool LeavesGridPoints(const Profile& profile) {
 bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 89;
+constexpr std::uint16_t kNextNumber = 90;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -449,6 +449,13 @@ constexpr std::array kDomains{
            .mesh = true,
            .is_stated = [](const Profile& p) { return p.pattern.samples() > 1; },
            .draw = PatternLines},
+    Domain{.number = 89,
+           .name = "fine-meshes",
+           .summary = "grids of 1/8 to 1/2 pixel on sixteenths: each pixel many triangles",
+           .mesh = true,
+           .is_stated =
+               [](const Profile& p) { return p.sample_positions != SamplePositions::kStated; },
+           .draw = FineMeshes},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

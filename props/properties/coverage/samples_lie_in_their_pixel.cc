@@ -59,9 +59,9 @@ constexpr std::array kRules{
 struct Mesh {
   std::string words;  ///< "the mesh"
   PlacedCase c;
-  std::vector<TriangleReach> triangles;
-  std::vector<std::int64_t> winding;
-  std::vector<VisibleEdge> outline;
+  std::vector<TriangleReach> triangles = {};
+  std::vector<std::int64_t> winding = {};
+  std::vector<VisibleEdge> outline = {};
   double margin = 0;  ///< pixels whose centre is no farther from the outline are not judged
   bool shows_overlaps = false;
 

@@ -90,6 +90,12 @@ std::vector<SubjectInfo> StatingInfos(const Domain& domain) {
     most.profile.pattern = *StandardPattern(16);
     return {several, most};
   }
+  several.profile.sample_positions = SamplePositions::kVary;
+  if (domain.is_stated(several.profile)) {
+    SubjectInfo fixed = RealInfo();
+    fixed.profile.sample_positions = SamplePositions::kFixed;
+    return {several, fixed};
+  }
   SubjectInfo squares = RealInfo();
   squares.profile = *SquarePreset("voxel");
   if (domain.is_stated(squares.profile)) {

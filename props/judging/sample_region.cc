@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/clauses/clauses.h"
 #include "core/profile.h"
 #include "props/judging/free_choices.h"
 
@@ -160,6 +161,12 @@ std::array<Point2, 4> ExtremesOf(const PixelSquare& square) {
 }
 
 }  // namespace
+
+bool BoundsSamples(const Profile& profile) {
+  if (profile.sample_positions == SamplePositions::kStated) return false;
+  const Specification* const specification = SpecificationOf(profile);
+  return specification == nullptr || specification->api != "gl";
+}
 
 PixelSquare SquareOf(const PlacedCase& c, int x, int row) {
   const int above = c.profile.y_axis == YAxis::kUp ? c.scene.height - 1 - row : row;

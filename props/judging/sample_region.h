@@ -11,11 +11,16 @@
 #include <span>
 #include <vector>
 
+#include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
+
+/// Returns whether the profile leaves open where samples lie, but within their closed pixel. OpenGL
+/// says that sample points may lie outside.
+bool BoundsSamples(const Profile& profile);
 
 /// The points with normal . (p - at) <= 0.
 ///

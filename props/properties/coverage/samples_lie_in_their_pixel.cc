@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/clauses/clauses.h"
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "props/judging/as_shown.h"
@@ -40,13 +39,6 @@ constexpr std::size_t kMostInAMesh = 4096;
 constexpr std::array<Point2, 3> kMoves{{{0, 0}, {0x1p-4, 0x1p-4}, {5 * 0x1p-4, 3 * 0x1p-4}}};
 constexpr double kHalfADiagonal = 0.70710678118654757;
 constexpr double kRounded = 0x1p-10;  // VisibleEdge::Distance is off by a few ulps
-
-// OpenGL says that sample points may lie outside the pixel.
-bool BoundsSamples(const Profile& p) {
-  if (p.sample_positions == SamplePositions::kStated) return false;
-  const Specification* const specification = SpecificationOf(p);
-  return specification == nullptr || specification->api != "gl";
-}
 
 constexpr std::array kRules{
     ProfileRule{BoundsSamples, "sample positions open within the pixel",

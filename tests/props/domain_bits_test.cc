@@ -232,6 +232,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {86, "every-lane", 0x2792612688570953},
     {87, "far-tile-corners", 0x1b676092fe08e0ae},
     {88, "pattern-lines", 0xe99927507394bffd},
+    {89, "fine-meshes", 0x897cbcd4980776ed},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

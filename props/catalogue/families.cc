@@ -36,7 +36,7 @@ constexpr auto kNothing = std::to_array<std::string_view>(
 constexpr auto kMeshes = std::to_array<std::string_view>(
     {"shared-edge", "fans", "strips", "grids", "triangulations", "covering-fans", "subdivisions",
      "t-junctions", "closed-mesh", "near-rectangles", "tilted-grids", "rounded-arrangements",
-     "earcut-meshes", "frame-sweeps", "tessellation-cracks", "soups"});
+     "earcut-meshes", "frame-sweeps", "tessellation-cracks", "soups", "fine-meshes"});
 constexpr auto kCalls = std::to_array<std::string_view>(
     {"target-sizes", "target-size-ends", "near-repeats", "sparse-indices", "aliased-indices",
      "many-triangles", "crowds", "every-lane", "tile-borders", "far-tile-corners",

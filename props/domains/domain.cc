@@ -471,6 +471,13 @@ constexpr std::array kDomains{
            .name = "aliased-indices",
            .summary = "vertices that agree in 8 or 16 bits of their index, and in a coordinate",
            .draw = AliasedIndices},
+    Domain{.number = 92,
+           .name = "fine-meshes",
+           .summary = "grids of 1/8 to 1/2 pixel on sixteenths: each pixel many triangles",
+           .mesh = true,
+           .is_stated =
+               [](const Profile& p) { return p.sample_positions != SamplePositions::kStated; },
+           .draw = FineMeshes},
     Domain{.number = 93,
            .name = "least-w",
            .summary = "one w or all so small that its reciprocal overflows, places on the target",

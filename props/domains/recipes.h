@@ -114,6 +114,7 @@ Case SquareInteriors(BitSource& bits, const SubjectInfo& info);
 Case Triangulations(BitSource& bits, const SubjectInfo& info);
 Case Subdivisions(BitSource& bits, const SubjectInfo& info);
 Case TJunctions(BitSource& bits, const SubjectInfo& info);
+Case FineMeshes(BitSource& bits, const SubjectInfo& info);
 Case CoveringFans(BitSource& bits, const SubjectInfo& info);
 
 // recipes_closed.cc

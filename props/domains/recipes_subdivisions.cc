@@ -1,8 +1,10 @@
 // Meshes made by splitting: triangulations of hard places, fans that cover the target from far
-// away, recursive subdivision, T-junctions.
+// away, recursive subdivision, T-junctions, grids finer than pixels.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <span>
 
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
@@ -84,7 +86,43 @@ void InsertPlaces(CaseBuilder& builder, PlanarMesh& mesh) {
   }
 }
 
+// A grid over some whole pixels, its nodes on sixteenths, which every grid of 4 bits has. It stays
+// on the target when it is moved by less than a pixel.
+PlanarMesh DrawFineGrid(CaseBuilder& builder, Point2 corner, int pixels) {
+  constexpr std::array kSpacings{2, 2, 3, 4, 6, 8};  // in sixteenths
+  BitSource& bits = builder.bits();
+  const int spacing = bits.OneOf(std::span<const int>(kSpacings));
+  const int cells = pixels * 16 / spacing;
+  const std::int64_t most = spacing < 6 || bits.Chance(128) ? 0 : 1;
+  PlanarMesh mesh;
+  for (int j = 0; j <= cells; ++j) {
+    for (int i = 0; i <= cells; ++i) {
+      const bool is_inner = i > 0 && i < cells && j > 0 && j < cells;
+      const auto moved = [&] {
+        return is_inner && most != 0 ? static_cast<double>(bits.Int(-most, most)) : 0.0;
+      };
+      const double x = corner.x + (i * spacing + moved()) / 16;
+      const double y = corner.y + (j * spacing + moved()) / 16;
+      mesh.AddVertex(OnLattice(builder, {x, y}));
+    }
+  }
+  mesh.AddCells(bits, cells, cells);
+  return mesh;
+}
+
 }  // namespace
+
+Case FineMeshes(BitSource& bits, const SubjectInfo& info) {
+  const int pixels = bits.Chance(64) ? 4 : 3;
+  const int width = pixels + static_cast<int>(bits.Int(1, 4));
+  const int height = pixels + static_cast<int>(bits.Int(1, 4));
+  CaseBuilder builder(bits, info, width, height);
+  const auto x = static_cast<double>(bits.Int(0, width - pixels - 1));
+  const auto y = static_cast<double>(bits.Int(0, height - pixels - 1));
+  PlanarMesh mesh = DrawFineGrid(builder, {x, y}, pixels);
+  mesh.AddTo(builder);
+  return builder.Done(Finish::kMesh);
+}
 
 Case Triangulations(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);

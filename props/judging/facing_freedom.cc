@@ -11,6 +11,7 @@
 #include "exact/coverage.h"
 #include "model/target_profile.h"
 #include "props/judging/outline.h"
+#include "props/judging/sample_region.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
@@ -131,6 +132,7 @@ LegalTriangle::LegalTriangle(const PlacedCase& c, const Triangle& t) {
   if (!places) return;
   has_places_ = true;
   knows_samples_ = profile.sample_positions == SamplePositions::kStated;
+  beyond_pixel_ = knows_samples_ || BoundsSamples(profile) ? 0 : kSampleMargin;
   places_ = *places;
   turn_ = TurnOf(places_[0], places_[1], CornersOf(places_[2]));
   const double step = CoarsestStep(profile);
@@ -151,7 +153,9 @@ bool LegalTriangle::CoversInEveryModel(Point2 p) const {
   std::vector<Point2> at{p};
   if (!knows_samples_) {
     const Point2 corner{std::floor(p.x), std::floor(p.y)};
-    at = CornersOf({corner, {corner.x + 1, corner.y + 1}});
+    const double far = 1 + beyond_pixel_;
+    at = CornersOf(
+        {{corner.x - beyond_pixel_, corner.y - beyond_pixel_}, {corner.x + far, corner.y + far}});
   }
   for (std::size_t i = 0; i < 3; ++i) {
     if (TurnOf(places_[i], places_[(i + 1) % 3], at) != turn_) return false;

@@ -53,6 +53,7 @@ class LegalTriangle {
  private:
   bool has_places_ = false;
   bool knows_samples_ = true;  ///< the profile states where samples lie in their pixels
+  double beyond_pixel_ = 0;    ///< how far beyond its pixel a sample may lie otherwise
   int facing_ = 0;
   bool is_culled_ = false;  ///< its side is one that the profile never draws
   int turn_ = 0;            ///< the sign of the area at all `places_`, in window axes

@@ -2,6 +2,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -58,6 +59,26 @@ GridPoint InTheCorners(const Sample& sample) {
   constexpr std::array<std::int64_t, 2> kFar{0, kSamplePixel - 1};
   const auto s = static_cast<std::size_t>(sample.s);
   return {corner.x + kFar[s % 2], corner.y + kFar[s / 2]};
+}
+
+GridPoint OnTheFarBorders(const Sample& sample) {
+  const GridPoint corner = CornerOf(sample);
+  const auto s = static_cast<std::size_t>(sample.s);
+  return {corner.x + (s % 2 == 0 ? 0 : kSamplePixel), corner.y + (s / 2 == 0 ? 0 : kSamplePixel)};
+}
+
+GridPoint APixelRight(const Sample& sample) { return {sample.at.x + kSamplePixel, sample.at.y}; }
+
+// Covers nothing if it is smaller than a quarter of a pixel.
+std::uint32_t UnlessSmall(const Sample& /*sample*/, const GridTriangle& triangle) {
+  const auto& [a, b, c] = triangle.v;
+  const std::int64_t twice = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+  return std::abs(twice) < kSamplePixel * kSamplePixel / 2 ? 0 : 1;
+}
+
+FixedStages LosingSmallTriangles(FixedStages stages) {
+  stages.times = UnlessSmall;
+  return stages;
 }
 
 // Every other triangle is tested a quarter of a pixel beside the sample.
@@ -129,6 +150,17 @@ std::vector<Mutant> SampleMutants() {
        "the last of four samples, wherever it lies, sees the other "
        "facing",
        "", TurningTheLastSample(StagesOf("vulkan-4x"))},
+      {"samples-outside-where-open", "all four samples lie 1.5 pixels beside their pixel's places",
+       "",
+       Sampling(
+           StagesOf("vulkan-4x"),
+           [](const Sample& at) { return GridPoint{at.at.x + 3 * kSamplePixel / 2, at.at.y}; })},
+      {"samples-one-outside-where-open", "one of four samples lies a pixel further", "",
+       Sampling(StagesOf("vulkan-4x"),
+                [](const Sample& at) { return at.s == 2 ? APixelRight(at) : at.at; })},
+      {"small-triangles-lost-where-open",
+       "triangles smaller than a quarter of a pixel vanish, wherever samples lie", "",
+       LosingSmallTriangles(StagesOf("vulkan-4x"))},
   };
 }
 
@@ -146,6 +178,14 @@ std::vector<Mutant> SampleVariants() {
        Sampling(StagesOf("gl-4x"), MirroredInOddColumns)},
       {"samples-centre-under-vulkan", "all four samples lie in one place of their pixel", "Vulkan",
        Sampling(StagesOf("vulkan-4x"), [](const Sample& at) { return AtStandard(at, 0); })},
+      {"samples-on-far-borders", "samples lie on the pixel's corners, the far ones too", "Vulkan",
+       Sampling(StagesOf("vulkan-4x"), OnTheFarBorders)},
+      {"samples-vary-under-vulkan", "samples lie elsewhere in every other column", "Vulkan",
+       Sampling(StagesOf("vulkan-4x"), MirroredInOddColumns)},
+      {"samples-16-under-vulkan", "16 samples whose places are not stated", "Vulkan",
+       StagesOf("vulkan-16x")},
+      {"samples-outside-under-gl", "samples lie a pixel beside their pixel's places", "OpenGL",
+       Sampling(StagesOf("gl-4x"), APixelRight)},
   };
 }
 

@@ -2,12 +2,16 @@
 // sees where samples lie.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
+#include "core/profile.h"
 #include "core/sample_pattern.h"
+#include "core/scene.h"
+#include "exact/coverage.h"
 #include "exact/primitive_ids.h"
 #include "props/domains/domain.h"
 #include "props/infer/infer.h"
@@ -58,6 +62,78 @@ TEST(Samples, WhatIsOpenIsNotJudgedAndMeshesAre) {
   EXPECT_EQ(
       FoundOf("legal:samples-vary-under-gl", *FindProperty("IntegerTranslationMovesCoverage")),
       Outcome::kNotApplicable);
+}
+
+const Property& InThePixel() { return *FindProperty("SamplesLieInTheirPixel"); }
+
+// At the centre, in corners, on the far borders, another place in every other column.
+TEST(Samples, LieAnywhereInTheirClosedPixel) {
+  constexpr std::uint64_t kCases = 60;
+  for (const std::string_view legal :
+       {"legal:samples-on-far-borders", "legal:samples-in-corners",
+        "legal:samples-vary-under-vulkan", "legal:samples-centre-under-vulkan",
+        "legal:samples-16-under-vulkan", "legal:samples-mirrored-under-gl"}) {
+    if (kOneCaseIn > 1 && legal != "legal:samples-on-far-borders") continue;
+    EXPECT_EQ(Found(*subjects::MakeMutant(legal), InThePixel(), kCases), Outcome::kHolds) << legal;
+  }
+}
+
+TEST(Samples, MayLieOutsideTheirPixelUnderOpenGlAlone) {
+  const auto outside = subjects::MakeMutant("legal:samples-outside-under-gl");
+  EXPECT_EQ(Found(*outside, InThePixel(), 20), Outcome::kNotApplicable);
+  const auto inside = subjects::MakeMutant("legal:samples-standard-8");
+  EXPECT_EQ(Found(*inside, InThePixel(), 20), Outcome::kNotApplicable);  // places are stated
+}
+
+// Four samples whose places the profile leaves open; each triangle has them where `place` says.
+FakeSubject SamplesBy(void (*place)(const Scene& one, Point2& location)) {
+  SubjectInfo info = testing::SnappedInfo(8);
+  info.profile = *PresetProfile("vulkan-4x");
+  return {info, [place, given = info.profile](const Scene& scene, const DrawOptions& options,
+                                              CoverageCounts& counts) {
+            for (const Triangle& t : scene.triangles) {
+              Scene one = scene;
+              one.triangles = {t};
+              Profile profile = given;
+              for (Point2& location : profile.pattern.locations) place(one, location);
+              counts += exact::Coverage(one, profile, options);
+            }
+          }};
+}
+
+// Each triangle alone is explained by places in the pixel, together they are not.
+TEST(Samples, HaveOnePlaceForAllTrianglesOfACase) {
+  FakeSubject one = SamplesBy([](const Scene&, Point2& location) { location.x = 0.25; });
+  EXPECT_EQ(Found(one, InThePixel(), 60), Outcome::kHolds);
+  FakeSubject two = SamplesBy([](const Scene& scene, Point2& location) {
+    const Vertex& first = scene.vertices[static_cast<std::size_t>(scene.triangles[0][0])];
+    location.x = std::fmod(std::floor(std::fabs(first.x)), 2) == 0 ? 0.25 : 0.75;
+  });
+  EXPECT_EQ(Found(two, InThePixel(), 200), Outcome::kViolated);
+}
+
+// One triangle that holds the pixel (2, 2) by more than any grid moves it, and one far from it.
+TEST(Samples, AreCoveredByWhatHoldsTheirPixelAndByNothingApartFromIt) {
+  SubjectInfo info = testing::SnappedInfo(8);
+  info.profile = *PresetProfile("vulkan-4x");
+  for (const bool holds : {true, false}) {
+    Case c;
+    c.profile = info.profile;
+    c.scene.width = c.scene.height = 8;
+    c.scene.vertices = holds ? std::vector<Vertex>{{0, 0}, {0, 8}, {8, 0}}
+                             : std::vector<Vertex>{{8, 8}, {4, 8}, {8, 4}};
+    c.scene.triangles = {{0, 1, 2}};
+    for (const bool wrong : {false, true}) {
+      FakeSubject subject(
+          info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+            counts += exact::Coverage(scene, info.profile, options);
+            if (wrong) counts.front[counts.Index(2, 2, 3)] = holds ? 0 : 1;
+          });
+      EXPECT_EQ(RunCase(subject, InThePixel(), c).outcome,
+                wrong ? Outcome::kViolated : Outcome::kHolds)
+          << holds;
+    }
+  }
 }
 
 // Shows the last triangle on each of four samples, or on the pixel's first one for all.

@@ -17,6 +17,7 @@ MESH = "EmbeddedMeshSamplesAreCoveredOnce"
 MODEL = "CoverageEqualsTheModel"
 JOINT = "OneLegalModelExplainsTheMesh"
 MOVED = "IntegerTranslationMovesCoverage"
+PIXEL = "SamplesLieInTheirPixel"
 NONE = "NonFiniteTrianglesCoverNothing"
 CENTROID = "CentroidsLieWhereStated"
 MUST = "SquaresThatMustBeAreCovered"
@@ -96,6 +97,9 @@ FORBIDDEN = {
     "samples-in-corners": ("vulkan-standard-4x", JOINT, 60),
     "samples-vary-under-gl": ("d3d11-4x", JOINT, 60),
     "samples-centre-under-vulkan": ("vulkan-standard-4x", JOINT, 60),
+    "samples-on-far-borders": ("vulkan-standard-4x", JOINT, 60),
+    "samples-vary-under-vulkan": ("vulkan-standard-4x", JOINT, 60),
+    "samples-outside-under-gl": ("vulkan-4x", PIXEL, 60),
     "vulkan-centroid-nearest": ("d3d11-4x", CENTROID, 60),
     "vulkan-centroid-corner": ("d3d11-8x", CENTROID, 60),
     "gl-centroid-first-covered": ("d3d11-4x", CENTROID, 60),

@@ -29,6 +29,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kHuge = 0x1p100;
 // More than any vector has lanes, and than a first buffer of a hundred holds.
 constexpr std::size_t kMany = 128;
+// Of the predecessors, one in so many is drawn before a case.
+constexpr std::size_t kEvery = 4;
 
 struct Predecessor {
   Scene scene;
@@ -96,7 +98,9 @@ Scene OnATarget(Scene scene, int width, int height) {
   return scene;
 }
 
-// Those that can be given to the subject; it may refuse them.
+// Three of those that can be given to the subject, who may refuse them: all would take three times
+// as long as most properties. Which three goes by the case's size, so that cases take turns, and a
+// case keeps them while its coordinates are made simpler.
 std::vector<Predecessor> PredecessorsOf(const PlacedCase& c) {
   const Scene& scene = c.scene;
   const double limit = std::min(c.profile.coordinate_limit, 0x1p20);
@@ -116,7 +120,13 @@ std::vector<Predecessor> PredecessorsOf(const PlacedCase& c) {
            !c.profile.max_target.Holds(p.scene.width, p.scene.height) ||
            !CanBeGiven(p.scene, c.profile);
   });
-  return all;
+  if (all.empty()) return all;
+  const std::size_t turn = static_cast<std::size_t>(scene.width) +
+                           3 * static_cast<std::size_t>(scene.height) + 5 * scene.triangles.size();
+  std::ranges::rotate(all, all.begin() + static_cast<std::ptrdiff_t>(turn % all.size()));
+  std::vector<Predecessor> chosen;
+  for (std::size_t k = 0; k < all.size(); k += kEvery) chosen.push_back(std::move(all[k]));
+  return chosen;
 }
 
 // The case, and after each predecessor the case again; then a copy of the subject, if there is one,

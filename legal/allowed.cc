@@ -182,7 +182,7 @@ bool Allowed::IsAtMost(std::uint32_t front, std::uint32_t back, std::size_t k) c
 
 bool Allowed::Allows(const CoverageCounts& drawn, std::size_t k) const {
   const CoverageKind kind = sight_.coverage;
-  if (!IsByPlaces()) return ((*numbers_)[k] & BitShown(drawn.Count(k), kind)) != 0;
+  if (!IsByPlaces()) return (BitsShown((*numbers_)[k], kind) & BitShown(drawn.Count(k), kind)) != 0;
   if (kind == CoverageKind::kFacingCounts) {
     return drawn.front[k] >= least_->front[k] && drawn.back[k] >= least_->back[k] &&
            IsAtMost(drawn.front[k], drawn.back[k], k);

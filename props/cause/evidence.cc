@@ -23,7 +23,7 @@ constexpr std::size_t kMostAsked = 12;      // properties whose own checks are a
 constexpr std::uint64_t kCasesOfEach = 24;  // of the failed property's own campaign
 constexpr std::uint64_t kCasesAround = 160;
 constexpr double kMostWorkAround = 0x1p14;  // of a draw: every suspect may have to draw it
-constexpr std::uint64_t kSeedOfCauses = 1;
+constexpr std::uint64_t kSeedOfCauses = 2;
 // No case that the campaign itself has judged.
 constexpr std::uint64_t kFirstAround = std::uint64_t{1} << 20;
 

@@ -149,6 +149,7 @@ TEST(Exercise, MostCasesPutTheirPropertyToTheTest) {
         Outcome::kNotApplicable) {
       continue;
     }
+    if (property.name == "LargeTargetIsCoveredLikeASmallOne") continue;  // two of 1000, on purpose
     const Exercise exercise = ExerciseOf(*subject, property, kOneCaseIn > 1 ? 24 : 96);
     EXPECT_GE(2 * exercise.exercised, exercise.cases) << property.name;
     for (const auto& [domain, exercised] : exercise.by_domain) {

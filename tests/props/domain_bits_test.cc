@@ -235,7 +235,7 @@ constexpr auto kGolden = std::to_array<Golden>({
     {89, "turned-by-snap", 0x9e56e5bf5d724cf9},
     {90, "far-corners", 0x6300680f30d05176},
     {91, "aliased-indices", 0xb897b7c8653ed4d8},
-    {92, "fine-meshes", 0x897cbcd4980776ed},
+    {92, "fine-meshes", 0x1a64e26cf8bc1459},
     {93, "least-w", 0xd7427ce52bb2e7d0},
 });
 

@@ -350,6 +350,7 @@ TEST(MeshDomains, AreEmbeddedUnlessTheyAreClosedOrCracked) {
       if (!domain.mesh || domain.clip || !info.takes_window) continue;
       if (domain.name == "closed-mesh" || domain.name == "t-junctions") continue;
       if (domain.name == "rounded-arrangements") continue;
+      if (domain.name == "fine-meshes") continue;  // grids coarser than 1/16 fold them
       if (domain.name == "tessellation-cracks") continue;
       if (domain.name.ends_with("folds")) continue;  // a legal choice folds them, and may be any
       for (std::uint64_t i = 0; i < 40; ++i) {

@@ -282,7 +282,7 @@ TEST(EdgeSamples, AsksForOneOwnerAtLeast) {
   EXPECT_EQ(Told(twice, "VertexRotationKeepsCoverage", square).outcome, Outcome::kNotApplicable);
 }
 
-TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
+TEST(DegenerateTriangles, LeftUnspecifiedMayCoverTheirEdgesAlone) {
   SubjectInfo info = SnappedInfo(8);
   const auto draws_lines = [](const Scene& scene, const DrawOptions& options,
                               CoverageCounts& counts) {
@@ -291,7 +291,7 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
       if (t[0] == t[1]) ++counts.front[0];
     }
   };
-  const std::vector<Vertex> corners{{0, 0, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}};
+  const std::vector<Vertex> corners{{0.5, 0.5, 0, 1}, {6, 0, 0, 1}, {0, 6, 0, 1}};
   FakeSubject subject(info, draws_lines);
   Case c = CaseOf(info.profile, corners, {{0, 0, 1}, {0, 1, 2}});
   for (const std::string_view property :
@@ -301,7 +301,9 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
   c.profile.degenerate_triangles = DegenerateTriangles::kUnspecified;
   EXPECT_EQ(Told(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kHolds);
   EXPECT_EQ(Told(subject, "DegenerateTrianglesCoverNothing", c).outcome, Outcome::kNotApplicable);
-  // The others are judged, and named by their place in the whole list.
+  c.scene.vertices[0].x = 0.75;  // its edge passes the sample by
+  EXPECT_EQ(Told(subject, "CoverageEqualsTheModel", c).outcome, Outcome::kViolated);
+  // The others are judged with them.
   c.scene.vertices[2].y = 5;
   FakeSubject off(info, [](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
     counts = exact::Coverage(scene, SnappedInfo(0).profile, options);
@@ -309,7 +311,7 @@ TEST(DegenerateTriangles, LeftUnspecifiedIsNotJudged) {
   });
   const Verdict verdict = Told(off, "CoverageEqualsTheModel", c);
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
-  EXPECT_EQ(verdict.witness->triangle, 1);
+  EXPECT_EQ(verdict.witness->triangle, 0) << "alone it covers sample 9, too";
 }
 
 TEST(DegenerateTriangles, LeftUnspecifiedIsNoLeaveToCrashNorAboutWhatIsNotFinite) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -67,12 +68,13 @@ class ProcessSubject::Ended : public SubjectStop {
 
 /// What came of one call.
 struct ProcessSubject::Call {
-  std::vector<DrawOutcome> outcomes;  ///< up to the one that ended it
-  double counted = 0;                 ///< own time that the last answer took
-  std::optional<OutOfTime> slow;      ///< the last wait that took longer than its limit
-  bool ended = false;                 ///< the process did, or it was out of memory
-  bool is_too_large = false;          ///< it was ended where its memory was watched
-  std::uint64_t bytes_before = 0;     ///< the process's address space when it was asked
+  std::vector<DrawOutcome> outcomes;         ///< up to the one that ended it
+  double counted = 0;                        ///< own time that the last answer took
+  std::optional<OutOfTime> slow;             ///< the last wait that took longer than its limit
+  bool ended = false;                        ///< the process did, or it was out of memory
+  bool is_too_large = false;                 ///< it was ended where its memory was watched
+  std::uint64_t bytes_before = 0;            ///< the process's address space when it was asked
+  std::vector<std::vector<DrawJob>> before;  ///< the calls to that process before
 };
 
 /// The running child, and reading its answers.
@@ -92,6 +94,20 @@ class ProcessSubject::Child {
   std::uint64_t Bytes() const { return process_.Bytes(); }
   std::uint64_t MostBytes() const { return process_.MostBytes(); }
   bool HasAnswered() const { return answers_ != 0; }
+
+  /// The calls before the last one, in order; none if they were too many or large to be kept.
+  std::vector<std::vector<DrawJob>> CallsBefore() {
+    if (!calls_.empty()) calls_.pop_back();
+    return std::move(calls_);
+  }
+  void Remember(std::span<const DrawJob> jobs) {
+    constexpr std::size_t kMost = std::size_t{1} << 20;
+    for (const DrawJob& job : jobs) {
+      kept_ += 1 + job.scene->vertices.size() + job.Triangles().size();
+    }
+    if (kept_ > kMost) return calls_.clear();
+    calls_.emplace_back(jobs.begin(), jobs.end());
+  }
 
   /// Before each answer.
   Patience Wait(double seconds, ChildProcess::Clock::time_point deadline) {
@@ -156,6 +172,8 @@ class ProcessSubject::Child {
     throw Ended(what, is_clean ? Ended::How::kCleanly : Ended::How::kByItself);
   }
 
+  std::vector<std::vector<DrawJob>> calls_;
+  std::size_t kept_ = 0;
   std::uint64_t answers_ = 0;
   bool has_begun_ = false;  ///< the answer that is waited for
   ChildProcess process_;

@@ -224,6 +224,7 @@ ProcessSubject::Call ProcessSubject::AskOnce(std::span<const DrawJob> jobs, cons
       child = TakeChild();
       if (child->HasAnswered() && limits_.bytes != 0) call.bytes_before = child->Bytes();
       child->Ask(CallText(first_id + k, jobs.subspan(k)));
+      if (limits_.bytes != 0) child->Remember(jobs.subspan(k));
     }
     Patience patience = child->Wait(wait.most, deadline_);
     drawing = ReadAnswer(
@@ -255,8 +256,14 @@ ProcessSubject::Call ProcessSubject::AskOnce(std::span<const DrawJob> jobs, cons
       may_not_run_ = false;
       child->TakeAnswer();
     }
-    if (end.stop != Stop::kNone && end.stop != Stop::kRefused) return call;
-    if (call.slow && !goes_on) return call;
+    if (end.stop != Stop::kNone && end.stop != Stop::kRefused) {
+      if (call.ended && child != nullptr) call.before = child->CallsBefore();
+      return call;
+    }
+    if (call.slow && !goes_on) {
+      if (k + 1 == jobs.size()) child_ = std::move(child);
+      return call;
+    }
   }
   child_ = std::move(child);
   return call;

@@ -54,6 +54,8 @@ class ProcessSubject final : public Subject {
   };
 
   /// `command` is a program and its arguments; a name without a slash is looked up in PATH.
+  ///
+  /// Domain:     SIGPIPE is ignored, as a program may end before it has read all that it is asked.
   ProcessSubject(std::vector<std::string> command, SubjectInfo info, ProcessLimits limits = {},
                  Program program = Program::kOurs);
   ~ProcessSubject() override;

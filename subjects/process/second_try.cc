@@ -163,8 +163,9 @@ CallEnd ProcessSubject::EndOfSilence(const OutOfTime& slow, const Wait& wait, do
 }
 
 // The process ended, or said that it was out of memory. A fresh one, whose address space has no
-// limit but which is ended once it holds as much memory, is asked the same: if it takes more than
-// the limit, or did so with what the first one had taken before, the limit ended it and no fault.
+// limit but which is ended once it holds as much memory, is asked the same, after the same calls.
+// If it takes more than the limit, the limit ended the first one and no fault did. Where the calls
+// before are not known, what the first one had taken by then is added.
 void ProcessSubject::BlameMemory(std::span<const DrawJob> jobs, Call& call) {
   const NoFile nothing;
   if (!info_.takes_batches) jobs = jobs.first(call.outcomes.size());
@@ -173,9 +174,14 @@ void ProcessSubject::BlameMemory(std::span<const DrawJob> jobs, Call& call) {
   bool is_memory = false;
   const CallEnd asked = EndOf([&] {
     child_ = std::make_unique<Child>(command_, limits_.bytes, nothing.file());
-    const Call again = AskOnce(jobs, {most, most});
-    is_memory = again.is_too_large ||
-                (child_ != nullptr && child_->MostBytes() + call.bytes_before > limits_.bytes);
+    std::vector<std::vector<DrawJob>> calls = std::move(call.before);
+    const std::uint64_t before = calls.empty() ? call.bytes_before : 0;
+    calls.emplace_back(jobs.begin(), jobs.end());
+    for (std::size_t k = 0; k < calls.size() && child_ != nullptr; ++k) {
+      is_memory = is_memory || AskOnce(calls[k], {most, most}).is_too_large;
+    }
+    if (is_memory || child_ == nullptr) return;
+    is_memory = child_->MostBytes() + before > limits_.bytes;
   });
   child_.reset();
   if (asked.stop != Stop::kNone || !is_memory) return;

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -17,6 +18,9 @@
 
 namespace rasterproof::subjects {
 namespace {
+
+// As the command does: a program may end before it has read all that it is asked.
+const bool kIgnoresClosedPipes = std::signal(SIGPIPE, SIG_IGN) != SIG_ERR;
 
 // Draws nothing onto targets of one sample, `pause` before every answer. A line in $STARTS for
 // every process.
@@ -116,17 +120,19 @@ TEST(ProcessSubject, TellsOfABatchWhatItsPartsDoNotDoAgain) {
   SubjectInfo info = Info();
   info.takes_batches = true;
   const std::vector<DrawJob> jobs(8);
-  ProcessSubject hangs(OnTheFifth("sleep 1000"), info, {.seconds = 0.2});
+  const std::string marker = testing::TempDir() + "/once";
+  // In a file, as a process's fifth call would come again in the parts.
+  const auto once = [&](const std::string& what) {
+    std::remove(marker.c_str());
+    return OnTheFifth("test -e " + marker + " || { : > " + marker + "; " + what + "; }");
+  };
+  ProcessSubject hangs(once("sleep 1000"), info, {.seconds = 0.2});
   const std::vector<DrawOutcome> hung = hangs.DrawMany(jobs);
   ASSERT_EQ(hung.size(), 1U);
   EXPECT_EQ(hung[0].end.stop, Stop::kHung);
   EXPECT_TRUE(Has(hung[0].end.why, "asked 8 requests at once, it slept for")) << hung[0].end.why;
   EXPECT_TRUE(Has(hung[0].end.why, "it did not happen again")) << hung[0].end.why;
-  // In a file, as a crash of each fifth call would come again in the same batch.
-  const std::string marker = testing::TempDir() + "/crashed_once";
-  std::remove(marker.c_str());
-  ProcessSubject crashes(
-      OnTheFifth("test -e " + marker + " || { : > " + marker + "; kill -SEGV $$; }"), info);
+  ProcessSubject crashes(once("kill -SEGV $$"), info);
   const std::vector<DrawOutcome> crashed = crashes.DrawMany(jobs);
   ASSERT_EQ(crashed.size(), 1U);
   EXPECT_EQ(crashed[0].end.stop, Stop::kBrokeDown);
@@ -159,6 +165,7 @@ std::vector<std::string> Restarting() {
 }
 
 TEST(ProcessSubject, BeginsAProgramAfreshThatEndsBetweenTwoAnswers) {
+  ASSERT_TRUE(kIgnoresClosedPipes);
   using enum ProcessSubject::Program;
   std::vector<DrawJob> jobs(8);
   ProcessSubject theirs(Restarting(), Info(), {}, kTheUsers);

@@ -117,11 +117,13 @@ def main():
     if WHAT == "crashes":
         os.kill(os.getpid(), signal.SIGSEGV)
     calls = 0
+    left = 0  # of a batch
     while True:
         words = sys.stdin.readline().split()
         if not words:
             return
         if words[0] == "batch":
+            left = int(words[1])
             continue
         if WHAT in ("spins", "ignores-its-end"):
             hang(spin)
@@ -137,10 +139,11 @@ def main():
             do_on_a_call()
         if WHAT == "leaks":
             kept.append(bytearray(1 << 24))
-        if WHAT == "ends-over-a-scene" and calls > 1 and int(words[7]) > 1:
+        if WHAT == "ends-over-a-scene" and int(words[7]) > 1:
             sys.exit(0)
         answer(int(words[1]), int(words[2]), int(words[3]))
-        if WHAT == "restarts" and calls == CALLS:
+        left -= 1
+        if WHAT == "restarts" and calls >= CALLS and left <= 0:
             sys.exit(0)
 
 

@@ -321,6 +321,30 @@ EdgeWidth InputBeyond(const EdgeUnit& unit, const FoundWidth& found, int bits) {
   return width;
 }
 
+// Of an area: a right triangle at the target's corner, whose legs are as equal as may be. Nothing if
+// vertices do not reach so far.
+std::optional<EdgeWidth> RightTriangleBeyond(const EdgeUnit& unit, const FoundWidth& found,
+                                             int bits) {
+  EdgeWidth width = found.width;
+  const bool is_positive = width.extreme > 0;
+  const UnitRange vertices = VertexRange(unit);
+  const std::int64_t step = VertexStep(unit);
+  const std::int64_t from = std::max<std::int64_t>(vertices.first, 0);
+  const EdgeInteger least = (EdgeInteger{1} << (bits - 1)) + (is_positive ? 0 : 1);
+  const double steps =
+      static_cast<double>(least) / (static_cast<double>(step) * static_cast<double>(step));
+  const std::int64_t wide = step * static_cast<std::int64_t>(std::ceil(std::sqrt(steps)));
+  std::int64_t high = step;
+  while (high <= vertices.last && EdgeInteger{wide} * high < least) high += step;
+  if (from + wide > vertices.last || from + high > vertices.last) return std::nullopt;
+  width.witness = {from, from, from, from + high, from + wide, from};
+  if (!is_positive) width.witness = {from, from, from + wide, from, from, from + high};
+  width.id += "-beyond-" + std::to_string(bits);
+  width.bits = bits + 1;
+  width.extreme = found.formula(width.witness);
+  return width;
+}
+
 int WideSign(EdgeInteger x) { return (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0); }
 
 bool IsHeldBy(EdgeInteger value, int bits) { return SignedBits(value, value) <= bits; }
@@ -418,7 +442,9 @@ std::vector<EdgeWidth> InputsBeyondBits(const EdgeUnit& unit) {
   std::vector<EdgeWidth> inputs;
   for (const FoundWidth& found : FoundWidths(unit)) {
     for (int bits = kFewestEdgeBits; bits + 1 < found.width.bits; ++bits) {
-      EdgeWidth input = InputBeyond(unit, found, bits);
+      std::optional<EdgeWidth> triangle;
+      if (found.width.form == "area") triangle = RightTriangleBeyond(unit, found, bits);
+      EdgeWidth input = triangle ? *std::move(triangle) : InputBeyond(unit, found, bits);
       if (SignedBits(input.extreme, input.extreme) == bits + 1) inputs.push_back(std::move(input));
     }
   }

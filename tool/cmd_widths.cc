@@ -183,13 +183,23 @@ Profile ProfileOf(const exact::EdgeUnit& unit) {
   return profile;
 }
 
+// Whether the box of the scene's triangle has a pixel of the target in common, or part of two.
+bool MeetsTheTarget(const Scene& scene) {
+  const auto meets = [&](double Vertex::* axis, int side) {
+    const auto [least, most] = std::ranges::minmax(scene.vertices, {}, axis);
+    return least.*axis <= side - 1 && most.*axis >= 1;
+  };
+  return meets(&Vertex::x, scene.width) && meets(&Vertex::y, scene.height);
+}
+
 void SaveWitnesses(const std::string& folder, const exact::EdgeUnit& unit,
-                   const std::vector<exact::EdgeWidth>& widths) {
+                   const std::vector<exact::EdgeWidth>& widths, bool only_seen) {
   io::MakeFolder(folder);
   for (const exact::EdgeWidth& width : widths) {
     io::CaseFile file;
     file.value.scene = WitnessScene(unit, width);
     file.value.profile = ProfileOf(unit);
+    if (only_seen && !MeetsTheTarget(file.value.scene)) continue;  // nothing would be seen of it
     file.value.origin =
         fmt::format("widths: {} takes {}, which {} bits do not hold: {}", width.value,
                     Decimal(width.extreme), width.bits - 1, InputText(unit, width));
@@ -209,8 +219,8 @@ int RunWidths(const WidthsOptions& options) {
   if (!options.save.empty()) {
     RequireTargetSize("--target " + options.target, unit.width, unit.height,
                       unit.pattern.samples());
-    SaveWitnesses(options.save, unit, widths);
-    SaveWitnesses(options.save, unit, exact::InputsBeyondBits(unit));
+    SaveWitnesses(options.save, unit, widths, /*only_seen=*/false);
+    SaveWitnesses(options.save, unit, exact::InputsBeyondBits(unit), /*only_seen=*/true);
   }
   if (!options.json.empty()) WriteOutput(options.json, ToJson(unit, widths));
   if (options.json != "-") io::WriteStandardOutput(ToTable(unit, widths));

@@ -141,6 +141,18 @@ std::vector<Case> CasesNearby(const Case& c) {
       if (!scene.vertices.empty()) moved(scene.vertices.front());
     });
   }
+  // Far back, on a target cut so that it is cheap to draw: tells from which row or column on.
+  const auto most = static_cast<int>(
+      kMostWorkAround / static_cast<double>(std::max<std::size_t>(
+                            1, c.scene.triangles.size() * c.profile.pattern.locations.size())));
+  add([&](Scene& scene) {
+    scene.height = std::min(scene.height, std::max(most / scene.width, 1));
+    for (Vertex& v : scene.vertices) v.y -= 4096 * v.w;
+  });
+  add([&](Scene& scene) {
+    scene.width = std::min(scene.width, std::max(most / scene.height, 1));
+    for (Vertex& v : scene.vertices) v.x -= 4096 * v.w;
+  });
   add([](Scene& scene) {
     for (Triangle& t : scene.triangles) std::swap(t[1], t[2]);
   });

@@ -30,7 +30,7 @@ constexpr double kHuge = 0x1p100;
 // More than any vector has lanes, and than a first buffer of a hundred holds.
 constexpr std::size_t kMany = 128;
 // Of the predecessors, one in so many is drawn before a case.
-constexpr std::size_t kEvery = 4;
+constexpr std::size_t kEvery = 5;
 
 struct Predecessor {
   Scene scene;
@@ -98,8 +98,8 @@ Scene OnATarget(Scene scene, int width, int height) {
   return scene;
 }
 
-// Three of those that can be given to the subject, who may refuse them: all would take three times
-// as long as most properties. Which three goes by the case's size, so that cases take turns, and a
+// Two of those that can be given to the subject, who may refuse them: all would take four times as
+// long as most properties. Which two goes by the case's size, so that cases take turns, and a
 // case keeps them while its coordinates are made simpler.
 std::vector<Predecessor> PredecessorsOf(const PlacedCase& c) {
   const Scene& scene = c.scene;

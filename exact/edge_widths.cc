@@ -321,8 +321,8 @@ EdgeWidth InputBeyond(const EdgeUnit& unit, const FoundWidth& found, int bits) {
   return width;
 }
 
-// Of an area: a right triangle at the target's corner, whose legs are as equal as may be. Nothing if
-// vertices do not reach so far.
+// Of an area: a right triangle at the target's corner, whose legs are as equal as may be. Nothing
+// if vertices do not reach so far.
 std::optional<EdgeWidth> RightTriangleBeyond(const EdgeUnit& unit, const FoundWidth& found,
                                              int bits) {
   EdgeWidth width = found.width;

@@ -116,10 +116,7 @@ std::vector<Test> TestsOf(const SubjectInfo& info, const std::vector<std::string
 
 Certification::Certification(const SubjectFactory& subject, const CertifyOptions& options,
                              MeasuredScenes& scenes, const Source& source)
-    : subject_(subject),
-      options_(options),
-      scenes_(scenes),
-      source_(source) {
+    : subject_(subject), options_(options), scenes_(scenes), source_(source) {
   const std::unique_ptr<Subject> made = subject.Make();
   info_ = made->Info();
   outputs_ = props::OutputsOf(*made);

@@ -50,9 +50,12 @@ Reach ReachAt(double x, SnapRule rule) {
       return {0, 1};
     case SnapRule::kTruncate:
       return {x > 0 ? 0.0 : 1.0, x < 0 ? 0.0 : 1.0};
-    default:
-      return {0.5, 0.5};
+    case SnapRule::kNearestEven:
+    case SnapRule::kNearestAway:
+    case SnapRule::kHalfUp:
+      break;
   }
+  return {0.5, 0.5};
 }
 
 // The vector e with x e.y - y e.x = 1.

@@ -77,9 +77,13 @@ std::string_view EndWord(Stop stop) {
       return "refused ";
     case Stop::kTooSlow:
       return "no-memory ";
-    default:
-      return "fault ";
+    case Stop::kNone:
+    case Stop::kBrokeDown:
+    case Stop::kHung:
+    case Stop::kDeadline:
+      break;
   }
+  return "fault ";
 }
 
 std::string EndText(std::uint64_t id, const CallEnd& end) {

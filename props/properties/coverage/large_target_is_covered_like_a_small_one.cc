@@ -51,8 +51,8 @@ constexpr std::array<Rectangles, 2> kScenes{{
 }};
 
 // Which of the scenes this case stands for; none for most. A case that no domain drew, as one from
-// a file, stands for all. Answers of another process cost twice as much as the others', and are asked
-// for once.
+// a file, stands for all. Answers of another process cost twice as much as the others', and are
+// asked for once.
 std::vector<std::size_t> TurnsOf(const std::string& origin, bool is_outside) {
   const std::size_t colon = origin.find(':');
   if (colon == origin.npos) return {0, 1};

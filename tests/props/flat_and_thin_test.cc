@@ -166,7 +166,7 @@ TEST(FlatAndThinTriangles, AreFoundWhereTheyCoverWhatLiesBesideThem) {
                          Way{"a thin one fills its box", IsThin, FillBox},
                          Way{"a thin one is a line of pixels", IsThin, DrawLine}}) {
     for (const std::string_view set : kSets) {
-      for (const std::uint64_t seed : {1, 2, 3}) {
+      for (const std::uint64_t seed : {1U, 2U, 3U}) {
         FakeSubject subject = DrawnBy(set, nearest, way.is, way.instead);
         EXPECT_EQ(JointOutcome(subject, seed), Outcome::kViolated)
             << way.words << ", " << set << ", seed " << seed;
@@ -181,7 +181,7 @@ TEST(FlatAndThinTriangles, HoldWhereTheyCoverTheirEdgesOrNothing) {
     for (const SnapRule rule : {SnapRule::kNearestEven, SnapRule::kFloor, SnapRule::kTruncate}) {
       const Placing place = [rule](double x) { return By(rule, x); };
       for (const std::string_view set : kSets) {
-        for (const std::uint64_t seed : {1, 2, 3, 4, 5}) {
+        for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
           FakeSubject subject = DrawnBy(set, place, way.is, way.instead);
           EXPECT_EQ(JointOutcome(subject, seed, RunsMore() ? 1000 : 100), Outcome::kHolds)
               << way.words << ", " << SnapRuleName(rule) << ", " << set << ", seed " << seed;

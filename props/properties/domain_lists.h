@@ -129,9 +129,9 @@ inline constexpr auto kCoverageAnySpace = std::to_array<std::string_view>(
      "caps", "needles", "vertex-orders", "grids", "mixed-magnitude", "product-overflow",
      "perspective", "mixed-w"});
 
-// The same, and what only the snap gives its side.
-inline constexpr auto kFacingsAnySpace =
-    Both(kCoverageAnySpace, std::to_array<std::string_view>({"turned-by-snap"}));
+// The same, what only the snap gives its side, and triangles small enough to be left out.
+inline constexpr auto kFacingsAnySpace = Both(
+    kCoverageAnySpace, std::to_array<std::string_view>({"turned-by-snap", "sub-pixel-triangles"}));
 
 // Planar subdivisions.
 inline constexpr auto kMeshes = std::to_array<std::string_view>(

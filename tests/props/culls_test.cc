@@ -2,6 +2,7 @@
 // held against it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -272,6 +273,36 @@ TEST(Culls, IsFoundByInfer) {
         }
       }
     }
+  }
+}
+
+// Draws no triangle in a box of `least` pixels or less while it culls.
+FakeSubject LosesTinyWhileItCulls(double least) {
+  const SubjectInfo info = SnappedInfo(8);
+  return {info, [profile = info.profile, least](const Scene& scene, const DrawOptions& options,
+                                                CoverageCounts& counts) {
+            Scene drawn = scene;
+            std::erase_if(drawn.triangles, [&](const Triangle& t) {
+              const auto v = Corners(scene, t);
+              const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
+              const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+              return options.cull != Cull::kNone && right - left <= least && bottom - top <= least;
+            });
+            counts += exact::Coverage(drawn, profile, options);
+          }};
+}
+
+TEST(Culling, OfTrianglesUnderAPixelIsAskedFor) {
+  const Property& property = *FindProperty("CullingRemovesOneFacing");
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    CampaignOptions options;
+    options.cases = 1000;
+    options.seed = seed;
+    FakeSubject tiny = LosesTinyWhileItCulls(0x1p-3);
+    EXPECT_EQ(RunCampaign(tiny, property, options).outcome, Outcome::kViolated) << seed;
+    options.cases = 300;
+    FakeSubject none = LosesTinyWhileItCulls(-1);
+    EXPECT_EQ(RunCampaign(none, property, options).outcome, Outcome::kHolds) << seed;
   }
 }
 

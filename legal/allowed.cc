@@ -247,17 +247,23 @@ std::uint32_t Allowed::Most(std::size_t k) const {
   return static_cast<std::uint32_t>(63 - std::countl_zero((*numbers_)[k]));
 }
 
+std::array<std::uint32_t, 2> Allowed::NearestAt(const CoverageCounts& drawn, std::size_t k) const {
+  std::uint32_t loose = Loose(k);
+  const auto near = [&loose](std::uint32_t count, std::uint32_t least, std::uint32_t most) {
+    const std::uint32_t above = std::min(count > most ? count - most : 0, loose);
+    loose -= above;
+    return std::clamp(count, least, Raised(most, above));
+  };
+  const std::uint32_t front = near(drawn.front[k], least_->front[k], most_->front[k]);
+  return {front, near(drawn.back[k], least_->back[k], most_->back[k])};
+}
+
 CoverageCounts Allowed::Nearest(const CoverageCounts& drawn) const {
   CoverageCounts nearest = *canonical_;
   for (std::size_t k = 0; k < nearest.size(); ++k) {
-    std::uint32_t loose = Loose(k);
-    const auto near = [&loose](std::uint32_t count, std::uint32_t least, std::uint32_t most) {
-      const std::uint32_t above = std::min(count > most ? count - most : 0, loose);
-      loose -= above;
-      return std::clamp(count, least, Raised(most, above));
-    };
-    nearest.front[k] = near(drawn.front[k], least_->front[k], most_->front[k]);
-    nearest.back[k] = near(drawn.back[k], least_->back[k], most_->back[k]);
+    const auto [front, back] = NearestAt(drawn, k);
+    nearest.front[k] = front;
+    nearest.back[k] = back;
   }
   return nearest;
 }

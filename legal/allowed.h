@@ -5,6 +5,7 @@
 #ifndef RASTERPROOF_LEGAL_ALLOWED_H_
 #define RASTERPROOF_LEGAL_ALLOWED_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -74,10 +75,11 @@ class Allowed {
   ///
   /// Domain:     IsByPlaces().
   const CoverageCounts& Canonical() const { return *canonical_; }
-  /// The allowed counts nearest to the drawn ones.
+  /// The allowed counts nearest to the drawn ones; of sample k alone, front and back.
   ///
   /// Domain:     IsByPlaces().
   CoverageCounts Nearest(const CoverageCounts& drawn) const;
+  std::array<std::uint32_t, 2> NearestAt(const CoverageCounts& drawn, std::size_t k) const;
   /// "0 or 1", "1 to 3", "2".
   std::string WordsAt(std::size_t k) const;
 

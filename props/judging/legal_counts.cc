@@ -1,6 +1,8 @@
 #include "props/judging/legal_counts.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -10,6 +12,31 @@
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
+namespace {
+
+// As SameCounts(), without a second picture of 2^28 samples, which takes 2^31 bytes.
+Verdict OnLargeTarget(const legal::Allowed& allowed, const CoverageCounts& drawn,
+                      std::uint64_t exercised, const std::string& of) {
+  std::uint64_t wrong = 0;
+  std::size_t first = 0;
+  for (std::size_t k = 0; k < drawn.size(); ++k) {
+    if (!allowed.Allows(drawn, k) && wrong++ == 0) first = k;
+  }
+  Witness witness = WitnessAtIndex(drawn, first);
+  const auto [front, back] = allowed.NearestAt(drawn, first);
+  const auto words = [](std::uint32_t fronts, std::uint32_t backs) {
+    return "front " + std::to_string(fronts) + ", back " + std::to_string(backs);
+  };
+  witness.observed = words(drawn.front[first], drawn.back[first]);
+  witness.expected = words(front, back);
+  return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
+                           "coverage differs from the model's" + of + " at " +
+                               std::to_string(wrong) + " of " + std::to_string(drawn.size()) +
+                               " samples",
+                           std::move(witness));
+}
+
+}  // namespace
 
 Comparison ComparisonOf(const PlacedCase& c, const SubjectInfo& info, const DrawOptions& options) {
   if (!c.profile.freedom.IsNone()) {
@@ -24,10 +51,12 @@ Comparison ComparisonOf(const PlacedCase& c, const SubjectInfo& info, const Draw
 
 Verdict AsAllowed(const legal::Allowed& allowed, const CoverageCounts& drawn,
                   std::uint64_t exercised, const std::string& of) {
-  const std::vector<std::size_t> wrong = allowed.Wrong(drawn);
-  if (wrong.empty()) return Verdict::Held(exercised);
-  if (allowed.IsByPlaces())
+  if (allowed.AllowsAll(drawn)) return Verdict::Held(exercised);
+  if (allowed.IsByPlaces()) {
+    if (drawn.size() > kMostCompared) return OnLargeTarget(allowed, drawn, exercised, of);
     return SameCounts(drawn, allowed.Nearest(drawn), exercised, "the model's" + of);
+  }
+  const std::vector<std::size_t> wrong = allowed.Wrong(drawn);
   Witness witness = WitnessAtIndex(drawn, wrong.front());
   witness.observed = std::to_string(drawn.Count(wrong.front()));
   witness.expected = allowed.WordsAt(wrong.front()) + " in every legal model";

@@ -163,7 +163,8 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
                                           std::to_string(difference.wrong) + " of " +
                                           std::to_string(difference.samples) + " samples",
                                       WitnessOfCounts(observed, expected, difference.first_wrong));
-  verdict.compared = std::make_shared<ComparedCounts>(observed, expected);
+  if (observed.size() <= kMostCompared)
+    verdict.compared = std::make_shared<ComparedCounts>(observed, expected);
   return verdict;
 }
 

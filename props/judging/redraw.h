@@ -79,6 +79,9 @@ CoverageCounts CutTo(const PixelRect& rect, const CoverageCounts& whole);
 /// Returns the verdict; if it is a violation, it names `draw` as the draw that failed.
 Verdict OfDraw(std::size_t draw, Verdict verdict);
 
+/// Of more samples than this a verdict keeps no pictures: of 2^28 each takes 2^31 bytes.
+inline constexpr std::size_t kMostCompared = std::size_t{1} << 24;
+
 /// Returns the verdict that the two counts are equal at every sample, front and back. A violation
 /// names the first sample that differs. `property` completes the message "coverage differs from
 /// ...".

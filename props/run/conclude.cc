@@ -101,8 +101,8 @@ std::string GridText(const PropertyResult& result) {
     return "left of all grids: " + common.Text() + " subpixel bits, on targets of " + number +
            (result.grids.size() == 1 ? " size" : " sizes");
   }
-  const std::string text = "no grid explains targets of all " + number +
-                           " sizes, and it is assumed that it may change with the size";
+  std::string text = "no grid explains targets of all " + number +
+                     " sizes, and it is assumed that it may change with the size";
   for (const GridsOnTarget& one : result.grids) {
     for (const GridsOnTarget& other : result.grids) {
       GridsLeft both = one.left;

@@ -2,7 +2,7 @@
 // counts.
 //
 // CountsOf() and WholeCallOf() make one question each; Compare...() make all checks of a property
-// of a common form. To compare primitive ids, see primitive_ids.h; to compare with what any legal
+// of a common form. To compare primitive ids, see primitive_ids.h; to judge by what any legal
 // model counts, legal_counts.h.
 #ifndef RASTERPROOF_PROPS_JUDGING_REDRAW_H_
 #define RASTERPROOF_PROPS_JUDGING_REDRAW_H_
@@ -91,9 +91,9 @@ Verdict SameCounts(const CoverageCounts& observed, const CoverageCounts& expecte
 /// Returns checks that the case, drawn with its own options, has the counts of the profile's
 /// canonical model.
 ///
-/// There are two exceptions. If the profile lets triangles share `edge_samples`, a count may lie
-/// anywhere between the one of the tie rule and the one of the inclusive rule. If a mesh is judged
-/// as it is shown (as_shown.h), only whether a sample is covered is compared, not how often.
+/// What the profile leaves open of a sample (shared ties, triangles without area) legal::Allowed
+/// says. If a mesh is judged as it is shown (as_shown.h), only whether a sample is covered is
+/// compared, not how often.
 ///
 /// Domain:     a case and a description that outlive what is returned.
 Checks CompareWithTheModel(const PlacedCase& c, const Description& subject);

@@ -1,4 +1,4 @@
-// The chosen cases: written by scripts/first_cases.
+// The chosen cases, by the rule of scripts/first_cases.
 #include <array>
 #include <span>
 

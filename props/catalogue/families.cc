@@ -26,8 +26,8 @@ constexpr auto kThin =
 constexpr auto kMagnitudes = std::to_array<std::string_view>(
     {"offset-cancellation", "subnormal", "product-overflow", "underflowing-products",
      "largest-and-smallest", "mixed-magnitude", "coordinate-limits", "range-ends", "far-sides",
-     "far-corners", "far-negative-corners", "wrapped-coordinates", "primitive-extent-ends",
-     "guard-band-ends", "accumulator-ends"});
+     "far-corners", "near-beside-far", "far-negative-corners", "wrapped-coordinates",
+     "primitive-extent-ends", "guard-band-ends", "accumulator-ends"});
 constexpr auto kSnapping = std::to_array<std::string_view>(
     {"snap-ties", "deciding-snap-ties", "shared-snap-ties", "off-grid-moves", "off-grid-fragments",
      "folds", "closed-folds", "equal-after-snap", "scaled-viewports", "turned-by-snap"});
@@ -45,7 +45,7 @@ constexpr auto kPixelSides =
     std::to_array<std::string_view>({"square-grid-lines", "square-crossings", "square-interiors"});
 constexpr auto kClip = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "closed-around-eye", "one-vertex-behind", "hardest-rays",
-     "perspective-meshes", "meshes-around-eye", "cameras", "least-w"});
+     "perspective-meshes", "meshes-around-eye", "cameras", "least-w", "eye-planes"});
 
 constexpr auto kGroups = std::to_array<Group>({
     {{"ordinary", "It covers the samples that exact geometry covers."}, kOrdinary},

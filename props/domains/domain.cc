@@ -6,27 +6,14 @@
 #include <span>
 #include <string_view>
 
+#include "props/domains/is_stated.h"
 #include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
 
-// Whether legal models put a vertex elsewhere.
-bool LeavesGridPoints(const Profile& profile) {
-  return profile.freedom.MovesVertices() || profile.contract == Contract::kWatertight ||
-         profile.contract == Contract::kClosed;
-}
-
-// Whether coordinates lie between the grid's points.
-bool SnapsItsInput(const Profile& profile) {
-  const Snap& snap = profile.snap;
-  return !snap.IsNone() && (!profile.fixed || profile.fixed->fraction_bits > snap.bits);
-}
-
-bool StatesSquares(const Profile& profile) { return profile.squares.has_value(); }
-
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 94;
+constexpr std::uint16_t kNextNumber = 96;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -483,6 +470,19 @@ constexpr std::array kDomains{
            .summary = "one w or all so small that its reciprocal overflows, places on the target",
            .clip = true,
            .draw = LeastW},
+    Domain{.number = 94,
+           .name = "eye-planes",
+           .summary = "planes next to the eye: determinants that cancel, edges through samples",
+           .clip = true,
+           .in_a_round = 2,
+           .draw = EyePlanes},
+    Domain{.number = 95,
+           .name = "near-beside-far",
+           .summary = "pairs that share an edge between grid points, one with a far third corner",
+           .mesh = true,
+           .in_a_round = 2,
+           .is_stated = SnapsItsInput,
+           .draw = NearBesideFar},
 };
 
 static_assert(std::ranges::max(kDomains, {}, &Domain::number).number + 1 == kNextNumber);

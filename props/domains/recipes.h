@@ -52,6 +52,8 @@ void AddDecidingTies(CaseBuilder& builder);
 
 // recipes_least_w.cc
 Case LeastW(BitSource& bits, const SubjectInfo& info);
+Case NearBesideFar(BitSource& bits, const SubjectInfo& info);
+Case EyePlanes(BitSource& bits, const SubjectInfo& info);
 
 // recipes_far_corners.cc
 Case FarCorners(BitSource& bits, const SubjectInfo& info);

@@ -43,6 +43,29 @@ class FarPair {
     if (turn != 0 && bits().Chance(208)) AddTriangle(ib, ia, b, a, right, turn);
   }
 
+  // A common edge near the target, its ends between grid points, that passes within a step of the
+  // sample; of the corners beside it one is near, and one far.
+  void AddNearBesideFar() {
+    const double off = step_ * static_cast<double>(bits().Int(-16, 16)) / 16;
+    Point2 a = Corner(Near(), off);
+    Point2 b = Corner(-Near(), off);
+    for (Point2* const p : {&a, &b}) {
+      p->x += step_ * static_cast<double>(bits().Int(-7, 7)) / 16;
+      p->y += step_ * static_cast<double>(bits().Int(-7, 7)) / 16;
+      *p = {builder_.lattice().RoundToPrecision(p->x), builder_.lattice().RoundToPrecision(p->y)};
+    }
+    const int most = std::max(3, most_);
+    const int least = bits().Chance(128) ? std::max(3, most - 3) : 3;
+    const double across = std::ldexp(1.0, static_cast<int>(bits().Int(least, most)));
+    const Point2 far = Beside(+1, across, builder_.Uniform(-0.5, 0.5) * across);
+    const double wide = Near() + 4;
+    const Point2 near = Beside(-1, wide, builder_.Uniform(-4, 4));
+    const std::int32_t ia = builder_.AddRaw({a.x, a.y});
+    const std::int32_t ib = builder_.AddRaw({b.x, b.y});
+    const int turn = AddTriangle(ia, ib, a, b, far, 0);
+    if (turn != 0) AddTriangle(ib, ia, b, a, near, turn);
+  }
+
  private:
   BitSource& bits() { return builder_.bits(); }
   double Component() { return static_cast<double>(bits().Int(-3, 3)); }
@@ -86,7 +109,10 @@ class FarPair {
   Point2 Third(double side) {
     const double across = bits().Chance(192) ? Far() : Near() + 4;
     const double most = bits().Chance(128) ? across : Near();
-    const double along = builder_.Uniform(-1, 1) * most;
+    return Beside(side, across, builder_.Uniform(-1, 1) * most);
+  }
+
+  Point2 Beside(double side, double across, double along) const {
     const double length = std::hypot(along_.x, along_.y);
     const Point2 unit{along_.x / length, along_.y / length};
     return {at_.x + along * unit.x - side * across * unit.y,
@@ -128,6 +154,12 @@ class FarPair {
 Case FarCorners(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   recipes_far_corners::FarPair(builder).Add();
+  return builder.Done(Finish::kMesh);
+}
+
+Case NearBesideFar(BitSource& bits, const SubjectInfo& info) {
+  CaseBuilder builder(bits, info);
+  recipes_far_corners::FarPair(builder).AddNearBesideFar();
   return builder.Done(Finish::kMesh);
 }
 

@@ -144,10 +144,10 @@ inline constexpr auto kCalls =
     Both(kMeshes, std::to_array<std::string_view>({"crowds", "every-lane", "aliased-indices"}));
 
 // The same, meshes in clip space, and on targets that reach beyond the stated range.
-inline constexpr auto kMeshesAnySpace = Both(
-    kMeshes,
-    std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye", "far-sides",
-                                     "tilted-grids", "earcut-meshes", "cameras", "far-corners"}));
+inline constexpr auto kMeshesAnySpace =
+    Both(kMeshes, std::to_array<std::string_view>({"perspective-meshes", "meshes-around-eye",
+                                                   "far-sides", "tilted-grids", "earcut-meshes",
+                                                   "cameras", "far-corners", "near-beside-far"}));
 
 // Meshes of a few triangles and of many, in window and clip space.
 inline constexpr auto kLists = std::to_array<std::string_view>(
@@ -201,7 +201,7 @@ inline constexpr auto kClosedClip =
 inline constexpr auto kClipSpace = std::to_array<std::string_view>(
     {"perspective", "mixed-w", "one-vertex-behind", "hardest-rays", "closed-around-eye",
      "near-edge", "edges-through-samples", "hardest-vertex", "vertices-on-samples", "axis-aligned",
-     "needles", "grids", "mixed-magnitude", "cameras", "least-w"});
+     "needles", "grids", "mixed-magnitude", "cameras", "least-w", "eye-planes"});
 
 // Meshes that leave the target or pass behind the eye.
 inline constexpr auto kClipped = std::to_array<std::string_view>(
@@ -212,7 +212,7 @@ inline constexpr auto kClipped = std::to_array<std::string_view>(
 // Vertices that a tolerance lets snap either way, meshes first, and triangles that it flattens.
 inline constexpr auto kFreeSnaps = std::to_array<std::string_view>(
     {"shared-snap-ties", "snap-ties", "shared-edge", "fans", "folds", "far-corners",
-     "aliased-indices", "degenerate", "least-areas"});
+     "near-beside-far", "aliased-indices", "degenerate", "least-areas"});
 
 // Triangles of zero area.
 inline constexpr auto kDegenerate = std::to_array<std::string_view>({"degenerate", "signed-zeros"});

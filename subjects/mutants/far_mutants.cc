@@ -108,6 +108,9 @@ std::vector<Mutant> FarMutants() {
        TiesOtherwiseFrom(0x1p24)},
       {"gl-far-rounds-otherwise", "vertices of triangles that reach 2^11 pixels are rounded down",
        "", RoundsOtherwiseFrom("gl", 0x1p11)},
+      {"vulkan-far-rounds-otherwise",
+       "vertices of triangles that reach 2^27 pixels are rounded down", "",
+       RoundsOtherwiseFrom("vulkan", 0x1p27)},
   };
 }
 

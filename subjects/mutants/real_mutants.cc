@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "reference/exact_sign.h"
+#include "reference/homogeneous.h"
 #include "subjects/mutants/mutant.h"
 
 namespace rasterproof::subjects::mutants {
@@ -162,6 +163,11 @@ ClipStages Becoming(std::vector<ClipTriangle> (*becomes)(const ClipTriangle&)) {
 bool AnyBehind(const ClipTriangle& v) {
   return std::ranges::any_of(v, [](const Vertex& p) { return p.w <= 0; });
 }
+double DeterminantInDouble(const ClipTriangle& v) {
+  return v[0].x * (v[1].y * v[2].w - v[1].w * v[2].y) -
+         v[0].y * (v[1].x * v[2].w - v[1].w * v[2].x) +
+         v[0].w * (v[1].x * v[2].y - v[1].y * v[2].x);
+}
 // The triangle with every vertex changed.
 ClipTriangle Each(ClipTriangle v, void (*change)(Vertex&)) {
   std::ranges::for_each(v, change);
@@ -224,6 +230,12 @@ std::vector<Mutant> RealClips() {
                         return std::ranges::count_if(v, [](const Vertex& p) { return p.w < 0; }) %
                                    2 ==
                                1;
+                      }}},
+      {"clip-facing-float64", "facing is the sign of the determinant in float64", "",
+       ClipStages{.turns_over =
+                      [](const ClipTriangle& v) {
+                        return (DeterminantInDouble(v) < 0) !=
+                               (reference::ExactHomogeneousFacing(v[0], v[1], v[2]) > 0);
                       }}},
   };
 }

@@ -18,6 +18,7 @@
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "exact/homogeneous.h"
 #include "model/snap.h"
 #include "props/domains/bit_source.h"
 #include "props/domains/domain.h"
@@ -95,6 +96,14 @@ TEST(PatternLines, PassSeveralPlacesOfThePatternInOneEdgeThatTwoTrianglesShare) 
   }
 }
 
+bool CoversASample(const Scene& scene, const Profile& profile) {
+  const CoverageCounts counts = exact::Coverage(scene, profile);
+  for (std::size_t k = 0; k < counts.size(); ++k) {
+    if (counts.Count(k) != 0) return true;
+  }
+  return false;
+}
+
 // Whether the triangle's area changes its sign by the snap, and it covers a sample after that.
 bool TurnsAndCovers(const Case& c, std::size_t t) {
   const std::array<Point2, 3> given = PlacesOf(c.scene, c.scene.triangles[t]);
@@ -106,11 +115,7 @@ bool TurnsAndCovers(const Case& c, std::size_t t) {
   if (facing == 0 || exact::Facing(given) != -facing) return false;
   Scene alone = c.scene;
   alone.triangles = {c.scene.triangles[t]};
-  const CoverageCounts counts = exact::Coverage(alone, c.profile);
-  for (std::size_t k = 0; k < counts.size(); ++k) {
-    if (counts.Count(k) != 0) return true;
-  }
-  return false;
+  return CoversASample(alone, c.profile);
 }
 
 int CasesThatTurnAndCover(std::string_view domain, const SubjectInfo& info) {
@@ -137,6 +142,76 @@ TEST(TurnedBySnap, CoversASampleOfTheSideThatItHadNotBeforeTheSnap) {
   }
   for (const std::string_view before : {"least-areas", "equal-after-snap"}) {
     EXPECT_EQ(CasesThatTurnAndCover(before, SnappedInfo(8)), 0) << before;
+  }
+}
+
+// Whether the float64 determinant has another sign than the exact one.
+bool IsMisjudgedInDouble(const std::array<Vertex, 3>& v) {
+  const double rounded = v[0].x * (v[1].y * v[2].w - v[1].w * v[2].y) -
+                         v[0].y * (v[1].x * v[2].w - v[1].w * v[2].x) +
+                         v[0].w * (v[1].x * v[2].y - v[1].y * v[2].x);
+  return exact::HomogeneousFacing(v) * rounded >= 0;
+}
+
+TEST(EyePlanes, CoverSamplesWhereTheDeterminantInDoubleHasTheWrongSign) {
+  for (const auto& [precision, least] :
+       {std::pair{Precision::kFloat32, 5}, {Precision::kFloat64, 40}}) {
+    SubjectInfo info = RealInfo();
+    info.takes_window = false;
+    info.takes_clip = true;
+    info.input = precision;
+    int cases = 0;
+    for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+      const Case c = DrawConstructed("eye-planes", info, i);
+      bool found = false;
+      for (const Triangle& t : c.scene.triangles) {
+        Scene alone = c.scene;
+        alone.triangles = {t};
+        found =
+            found || (IsMisjudgedInDouble(Corners(c.scene, t)) && CoversASample(alone, c.profile));
+      }
+      cases += found ? 1 : 0;
+    }
+    EXPECT_GE(cases, least);
+  }
+}
+
+// Cases of two triangles, one of which reaches `far` pixels and one not, that cover a sample twice
+// or leave one between them if only one of them is rounded down.
+int CasesThatPartAtAFarCorner(std::string_view domain, const SubjectInfo& info, double far) {
+  int cases = 0;
+  for (std::uint64_t i = 0; i < kConstructedCases; ++i) {
+    const Case c = DrawConstructed(domain, info, i);
+    if (c.scene.triangles.size() != 2) continue;
+    CoverageCounts sum(c.scene.width, c.scene.height);
+    std::size_t reaching = 0;
+    for (const Triangle& t : c.scene.triangles) {
+      Scene alone = c.scene;
+      alone.triangles = {t};
+      Profile profile = c.profile;
+      const auto v = PlacesOf(c.scene, t);
+      const bool reaches = std::ranges::any_of(
+          v, [far](Point2 p) { return std::max(std::fabs(p.x), std::fabs(p.y)) >= far; });
+      reaching += reaches ? 1 : 0;
+      if (reaches) profile.snap.rule = SnapRule::kFloor;
+      sum += exact::Coverage(alone, profile);
+    }
+    const CoverageCounts whole = exact::Coverage(c.scene, c.profile);
+    bool differs = false;
+    for (std::size_t k = 0; k < sum.size(); ++k)
+      differs = differs || sum.Count(k) != whole.Count(k);
+    cases += reaching == 1 && differs ? 1 : 0;
+  }
+  return cases;
+}
+
+TEST(NearBesideFar, PartWhereOneOfTwoPathsRoundsOtherwise) {
+  SubjectInfo info = SnappedInfo(8);
+  info.input = Precision::kFloat64;
+  info.profile.coordinate_limit = 0x1p30;
+  for (const auto& [far, least] :
+       {std::pair{0x1p11, 30}, {0x1p24, 20}, {0x1p27, 12}, {0x1p29, 7}}) {
+    EXPECT_GE(CasesThatPartAtAFarCorner("near-beside-far", info, far), least) << far;
   }
 }
 

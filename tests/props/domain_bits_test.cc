@@ -237,6 +237,8 @@ constexpr auto kGolden = std::to_array<Golden>({
     {91, "aliased-indices", 0xb897b7c8653ed4d8},
     {92, "fine-meshes", 0x1a64e26cf8bc1459},
     {93, "least-w", 0xd7427ce52bb2e7d0},
+    {94, "eye-planes", 0xd6a7f0e352989e42},
+    {95, "near-beside-far", 0xc2b6b4ad8fa55f1f},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

@@ -227,7 +227,8 @@ TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
                                             "equal-after-snap",
                                             "scaled-viewports",
                                             "turned-by-snap",
-                                            "far-corners"};
+                                            "far-corners",
+                                            "near-beside-far"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {

@@ -80,7 +80,7 @@ TEST(OneGrid, IsLeftByItsRuler) {
 
 TEST(OneGrid, MayChangeWithTheSizeOfTheTargetAndThatIsAnAssumption) {
   for (const char* name : {"legal:gl-bits-by-viewport", "legal:vulkan-bits-by-viewport"}) {
-    const PropertyResult result = CampaignOn(name, 1, 100);
+    const PropertyResult result = CampaignOn(name, 1, 300);
     EXPECT_EQ(result.outcome, Outcome::kHolds) << result.message;
     EXPECT_NE(result.message.find("it is assumed that it may change with the size"),
               std::string::npos)

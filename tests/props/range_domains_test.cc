@@ -52,7 +52,7 @@ std::vector<std::string_view> WithoutFar(std::span<const std::string_view> domai
   std::vector<std::string_view> others;
   std::ranges::copy_if(domains, std::back_inserter(others), [&](std::string_view name) {
     return name != "covering-fans" && name != "every-size" && name != "far-sides" &&
-           name != "far-corners";
+           name != "far-corners" && name != "near-beside-far";
   });
   return others;
 }

@@ -10,6 +10,7 @@ void PropertyResult::AddCase(const Verdict& verdict) {
   if (verdict.exercised != 0) ++cases_exercised;
   exercised += verdict.exercised;
   not_judged += verdict.not_judged;
+  in_gaps += verdict.in_gaps;
   worst_ratio = std::max(worst_ratio, verdict.worst_ratio);
   if (verdict.front_sign) ++(*verdict.front_sign > 0 ? positive_fronts : negative_fronts);
   if (verdict.outcome == Outcome::kRefused) ++cases_refused;

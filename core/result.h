@@ -90,7 +90,8 @@ struct PropertyResult {
   std::uint64_t exercised = 0;        ///< times the property was exercised
   std::uint64_t cases_refused = 0;    ///< cases that the subject refused
   std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
-  double worst_ratio = 0;             ///< largest error / bound
+  std::uint64_t in_gaps = 0;  ///< samples in none of a scene's triangles, and enclosed by them
+  double worst_ratio = 0;     ///< largest error / bound
   // Cases in which the subject showed the side of this area as the front, where either is legal.
   std::uint64_t positive_fronts = 0;
   std::uint64_t negative_fronts = 0;
@@ -136,6 +137,7 @@ inline constexpr auto kCaseCounters = std::to_array<Counter<PropertyResult>>(
      {"exercised", &PropertyResult::exercised},
      {"cases_refused", &PropertyResult::cases_refused},
      {"not_judged", &PropertyResult::not_judged},
+     {"in_gaps", &PropertyResult::in_gaps},
      {"positive_fronts", &PropertyResult::positive_fronts},
      {"negative_fronts", &PropertyResult::negative_fronts},
      {"not_applicable", &PropertyResult::not_applicable},

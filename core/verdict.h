@@ -60,6 +60,9 @@ struct Verdict {
   /// Samples that the property covers but does not judge, because the subject could legally choose
   /// to turn, flatten or fold a triangle there.
   std::uint64_t not_judged = 0;
+  /// Samples in none of the scene's triangles, and enclosed by them: a crack or a hole that the
+  /// scene itself has, if the property looks for gaps.
+  std::uint64_t in_gaps = 0;
   /// The sign of the area of the side that the subject shows as its front, if the profile leaves
   /// that open and the property observes it.
   std::optional<int> front_sign = std::nullopt;

@@ -76,6 +76,7 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.Key("exercised").Integer(result.exercised);
   json.Key("cases_refused").Integer(result.cases_refused);
   json.Key("not_judged").Integer(result.not_judged);
+  if (result.in_gaps != 0) json.Key("in_gaps").Integer(result.in_gaps);
   json.Key("worst_ratio").Exact(result.worst_ratio);
   json.Key("near_edge").BeginObject().Members(kNearEdgeCounters, result.NearEdge()).EndObject();
   json.Key("cases_with").BeginObject();

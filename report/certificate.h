@@ -98,8 +98,11 @@ std::vector<Evidence> Exhausted(const Certificate& certificate);
 std::map<std::string, std::uint64_t> TiersByName(const Certificate& certificate);
 
 /// Returns what the result's outcome does not cover: the cases that the subject refused, unless the
-/// result's message names them, and the samples that were not judged. Empty if there are none.
+/// result's message names them, the samples that were not judged, and those in gaps of the scenes.
+/// Empty if there are none.
 std::string Reservations(const PropertyResult& result);
+/// Returns how many samples lie in gaps that the scenes themselves have; empty if none is known.
+std::string GapsText(const PropertyResult& result);
 
 /// Returns the result's message followed by its Reservations().
 std::string Said(const PropertyResult& result);

@@ -116,6 +116,11 @@ std::map<std::string, std::uint64_t> TiersByName(const Certificate& certificate)
   return counts;
 }
 
+std::string GapsText(const PropertyResult& result) {
+  if (result.in_gaps == 0) return "";
+  return fmt::format("{} samples lie in cracks or holes of the scenes themselves", result.in_gaps);
+}
+
 std::string Reservations(const PropertyResult& result) {
   std::string text;
   const std::string refused =
@@ -128,6 +133,9 @@ std::string Reservations(const PropertyResult& result) {
   if (result.not_judged != 0) {
     text += fmt::format("{}{} samples not judged: a legal choice could turn a triangle there",
                         text.empty() ? "" : "; ", result.not_judged);
+  }
+  if (const std::string gaps = GapsText(result); !gaps.empty()) {
+    text += (text.empty() ? "" : "; ") + gaps;
   }
   return text;
 }

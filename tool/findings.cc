@@ -75,8 +75,10 @@ int Rank(const Findings& found, const Finding& finding) {
 }
 
 bool IsOfInterest(const Finding& finding) {
-  const Outcome outcome = finding.result.outcome;
-  return outcome != Outcome::kHolds && outcome != Outcome::kNotExercised;
+  const PropertyResult& result = finding.result;
+  // Whoever gives a scene with a crack would see the crack.
+  if (result.in_gaps != 0 && !finding.place.empty()) return true;
+  return result.outcome != Outcome::kHolds && result.outcome != Outcome::kNotExercised;
 }
 
 // Why properties were not put to the subject: one line for each reason and scene.
@@ -174,6 +176,7 @@ std::string OutcomeLine(const PropertyResult& result, FailOn fail_on, const std:
     line += fmt::format(", {} samples not judged: a legal choice could turn the triangle",
                         result.not_judged);
   }
+  if (const std::string gaps = report::GapsText(result); !gaps.empty()) line += ", " + gaps;
   if (result.worst_ratio != 0) line += fmt::format(", error/bound {:.3f}", result.worst_ratio);
   if (!result.message.empty()) line += "; " + report::CleanText(result.message);
   return line + "; " + report::AuthorityText(result) + "\n";

@@ -1,6 +1,7 @@
 #include "props/judging/planar_mesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -28,7 +29,44 @@ struct JudgedMesh {
   OpenParts open;
   std::vector<std::int64_t> winding;
   SharedTies ties;
+  std::uint64_t in_gaps;
 };
+
+// Samples outside that no path over neighbours outside joins to the target's border, neighbours of
+// one position in the pixel being next to each other in a row or a column.
+std::uint64_t SamplesInGaps(const PlacedCase& c, const std::vector<std::int64_t>& winding) {
+  const CoverageCounts shape(c.scene.width, c.scene.height, c.profile.pattern.samples());
+  std::vector<bool> reached(winding.size());
+  std::vector<std::array<int, 3>> next;
+  const auto reach = [&](int x, int row, int s) {
+    if (x < 0 || row < 0 || x >= shape.width || row >= shape.height) return;
+    const std::size_t k = shape.Index(x, row, s);
+    if (winding[k] != 0 || reached[k]) return;
+    reached[k] = true;
+    next.push_back({x, row, s});
+  };
+  for (int s = 0; s < shape.samples; ++s) {
+    for (int x = 0; x < shape.width; ++x) {
+      reach(x, 0, s);
+      reach(x, shape.height - 1, s);
+    }
+    for (int row = 0; row < shape.height; ++row) {
+      reach(0, row, s);
+      reach(shape.width - 1, row, s);
+    }
+  }
+  while (!next.empty()) {
+    const auto [x, row, s] = next.back();
+    next.pop_back();
+    reach(x - 1, row, s);
+    reach(x + 1, row, s);
+    reach(x, row - 1, s);
+    reach(x, row + 1, s);
+  }
+  std::uint64_t gaps = 0;
+  for (std::size_t k = 0; k < winding.size(); ++k) gaps += winding[k] == 0 && !reached[k] ? 1 : 0;
+  return gaps;
+}
 
 class MeshJudge {
  public:
@@ -49,6 +87,7 @@ class MeshJudge {
     }
     Verdict held = Verdict::Held(exercised_);
     held.not_judged = not_judged_;
+    held.in_gaps = mesh_.in_gaps;
     return held;
   }
 
@@ -72,6 +111,7 @@ class MeshJudge {
     Verdict verdict = Verdict::Violated(
         exercised_, count < least ? "a gap in the mesh" : "a sample covered too often", witness);
     verdict.not_judged = not_judged_;
+    verdict.in_gaps = mesh_.in_gaps;
     return verdict;
   }
 
@@ -91,11 +131,12 @@ Checks CompareWithItsWinding(const PlacedCase& c, const Description& subject) {
     return NotExercised("the mesh overlaps itself");
   }
   SharedTies ties(c);
+  const std::uint64_t in_gaps = SamplesInGaps(c, winding);
   const bool as_shown = IsJudgedAsShown(subject.info, c.scene);
   Questions questions;
   questions.draws.push_back(CountsOf(c.scene, c.profile, WholeTarget(c)));
   auto mesh = std::make_shared<const JudgedMesh>(
-      JudgedMesh{c, std::move(open), std::move(winding), std::move(ties)});
+      JudgedMesh{c, std::move(open), std::move(winding), std::move(ties), in_gaps});
   return OneCheck(std::move(questions), [mesh = std::move(mesh), as_shown](const Answers& answers) {
     Verdict verdict = MeshJudge(*mesh).Of(answers.draws[0]->counts);
     return as_shown ? NeverHolds(std::move(verdict)) : verdict;

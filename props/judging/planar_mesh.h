@@ -29,6 +29,9 @@ namespace rasterproof::props {
 /// triangles on all other samples have one facing in every legal model, so that the argument above
 /// holds.
 ///
+/// Samples that the mesh itself leaves uncovered inside, in cracks (T-junctions that the snap
+/// opens, vertices that should be one) and holes, are counted in Verdict::in_gaps.
+///
 /// A mesh that is judged as it is shown (judging/as_shown.h) can fail, by a gap or by what is
 /// covered outside, but never holds: how often a sample is covered does not show.
 Checks CompareWithItsWinding(const PlacedCase& c, const Description& subject);

@@ -93,7 +93,10 @@ std::vector<DrawOutcome> ProcessSubject::AskSome(std::span<const DrawJob> jobs) 
     });
     return outcomes;
   }
-  if (jobs.size() == 1) return {AskAlone(jobs.front())};
+  if (jobs.size() == 1) {
+    outcomes.push_back(AskAlone(jobs.front()));  // a braced list would copy it
+    return outcomes;
+  }
   const Wait wait = is_in_parts_ ? Wait{limits_.seconds, limits_.seconds} : LongestWait();
   Call call = Ask(jobs, wait);
   if (IsBreakdown(call.outcomes.back().end.stop)) {

@@ -163,6 +163,36 @@ TEST(WindowMeshes, AreJudgedWhereTiesAreShared) {
   ExpectSoundHoldsAndCrackedIsFound(info);
 }
 
+// Five triangles around the middle of a target, one of whose outer corners is `corner`; the sixth,
+// in which six samples lie, is left out.
+Scene Cracked(Point2 corner) {
+  Scene scene;
+  scene.width = scene.height = 16;
+  scene.vertices = {{2, 2}, {14, 2}, {corner.x, corner.y}, {2, 14}, {8, 7}, {8, 9}};
+  scene.triangles = {{0, 1, 4}, {1, 2, 5}, {1, 5, 4}, {2, 3, 5}, {3, 0, 4}};
+  return scene;
+}
+
+TEST(EmbeddedMeshes, SayHowManySamplesLieInCracksOfTheSceneItself) {
+  const SubjectInfo info = RealInfo();
+  FakeSubject sound(info,
+                    [info](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                      counts += exact::Coverage(scene, info.profile, options);
+                    });
+  const auto gaps = [&](const Scene& scene) {
+    const Verdict verdict =
+        Judged(sound, "EmbeddedMeshSamplesAreCoveredOnce", {scene, info.profile, {}, ""});
+    EXPECT_EQ(verdict.outcome, Outcome::kHolds) << verdict.message;
+    return verdict.in_gaps;
+  };
+  Scene scene = Cracked({14, 14});
+  // What lies beyond the outline is no gap, nor is a sample beside it where the crack opens.
+  EXPECT_EQ(gaps(scene), 5U);
+  EXPECT_EQ(gaps(Cracked({10, 11})), 4U);
+  scene.triangles.push_back({3, 4, 5});
+  EXPECT_EQ(gaps(scene), 0U);
+}
+
 // A tetrahedron around the eye, one vertex straight ahead and three behind. Seen under 90 degrees.
 Case AroundTheEye(Contract contract) {
   Case c;

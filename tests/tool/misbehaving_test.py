@@ -173,8 +173,8 @@ class Misbehaving(unittest.TestCase):
         self.expect("spins-with-children", 1, "it hangs")
 
     def test_a_slow_subject_is_too_slow_and_not_wrong(self):
-        # It needs 2 s and has 0.3: alone, with ten times the limit, it answers. A busy machine looks
-        # at it late, and takes what it did not see for less.
+        # It needs 2 s and has 0.3: alone, with ten times the limit, it answers. A busy machine
+        # looks at it late, and takes what it did not see for less.
         run = self.start("needs 2")
         status, text = run.end()
         self.assertEqual(status, 4, text)

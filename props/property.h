@@ -72,6 +72,8 @@ struct Property {
   std::span<const std::string_view> domains;
   /// True if the property is about calls that follow each other: no others may come in between.
   bool is_about_sequence = false;
+  /// What it draws does not depend on the case's scene: a smaller one would show the same.
+  bool draws_own_scenes = false;
   /// True if it takes as long as many others: where several run at once it is begun before them.
   bool takes_long = false;
   Gate gate = {};

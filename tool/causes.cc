@@ -43,8 +43,13 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
             "of them: it {}",
             cause.together, cause.reproduced, cause.draws, cause.what.front());
       }
-      return fmt::format("{} of the {} wrong draws equal those of {}, and no other draw refutes it",
-                         cause.reproduced, cause.draws, Suspected(cause));
+      return fmt::format(
+          "{} of the {} wrong draws equal those of {}, which no draw refutes; the others equal "
+          "those "
+          "of other causes",
+          cause.reproduced, cause.draws, Suspected(cause));
+    case CauseKind::kNothingDrawn:
+      return fmt::format("nothing was drawn at all: 0 of {} draws cover anything", cause.draws);
     case CauseKind::kCircumstance:
       return fmt::format("no suspect explains it; what is drawn wrong is right {}",
                          cause.what.front());
@@ -95,6 +100,7 @@ std::string CauseText(const Cause& cause, const props::Explanation& explanation)
   std::string text = Found(cause, explanation);
   if (!cause.only_with.empty())
     text += fmt::format("; it fails only with {}", fmt::join(cause.only_with, " and "));
+  if (!cause.pattern.empty()) text += "; every wrong sample " + cause.pattern;
   return text;
 }
 
@@ -107,7 +113,8 @@ std::string CausesText(const props::Explanation& explanation,
     if (failures.size() == 1) continue;
     std::vector<std::string_view> names;
     for (const std::size_t k : cause.properties) names.push_back(failures[k].property->name);
-    text += fmt::format("  explains {}\n", fmt::join(names, ", "));
+    const bool is_open = cause.kind == CauseKind::kUnexplained;
+    text += fmt::format("  {} {}\n", is_open ? "open:" : "explains", fmt::join(names, ", "));
   }
   if (explanation.causes.empty()) return text;
   if (explanation.is_cut_short) {

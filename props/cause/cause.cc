@@ -22,13 +22,13 @@ namespace {
 
 constexpr std::uint64_t kSplits = 320;  // cases that are looked at to tell suspects apart
 constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
-constexpr std::size_t kMostCombined = 4;   // suspects at once
-constexpr std::size_t kMostCompared = 48;  // draws, while the next of them is looked for
-constexpr std::ptrdiff_t kLeastGain = 2;   // fewer draws more are chance
-constexpr std::size_t kFewestInPart = 2;   // wrong draws that a suspect of a part must reproduce
-constexpr std::size_t kFewestScenes = 4;   // drawn wrong: fewer may be alike by chance
-constexpr double kGatheringShare = 0.25;   // of the time
-constexpr int kMostRaces = 2;              // whose winners draws more may refute
+constexpr std::size_t kMostCombined = 4;    // suspects at once
+constexpr std::size_t kMostCompared = 48;   // draws, while the next of them is looked for
+constexpr std::ptrdiff_t kLeastGain = 2;    // fewer draws more are chance
+constexpr std::size_t kConfirmations = 16;  // draws more in which what is left must be wrong alike
+constexpr std::size_t kFewestScenes = 4;    // drawn wrong: fewer may be alike by chance
+constexpr double kGatheringShare = 0.25;    // of the time
+constexpr int kMostRaces = 2;               // whose winners draws more may refute
 
 // A suspect that is still in the race.
 struct Fitting {
@@ -36,8 +36,7 @@ struct Fitting {
   std::string what;
   SuspectStages stages;
   std::unique_ptr<Subject> draws;
-  std::size_t reproduced = 0;        // wrong observations
-  std::vector<std::size_t> covered;  // failures, all of whose wrong draws it reproduces
+  std::size_t reproduced = 0;  // wrong observations
 };
 
 class Investigation {
@@ -50,18 +49,21 @@ class Investigation {
  private:
   void Sort();
   void Race();
-  bool IsConsistent(Fitting& fitting) const;
+  bool IsSound(Fitting& fitting) const;
   void TellApart(std::vector<Fitting>& left);
-  void Split(std::vector<Fitting>& left, const Case& c);
+  bool Split(std::vector<Fitting>& left, const Case& c, bool also_alike);
   std::optional<Case> NextSplit(std::uint64_t number) const;
   void Observe(Observation observation);
   bool HasWrongDraws(std::size_t failure) const;
   bool FindWhole();
   bool FindWholeByRaces();
+  bool FindNothingDrawn();
   bool FindCombination();
-  void FindParts();
+  std::vector<std::vector<Fitting>> PartsOfAll();
+  bool FindParts();
   void FindRest();
   std::vector<bool> ReproducedBy(const SuspectStages& stages) const;
+  std::vector<const Observation*> AllWrong() const;
   std::size_t WrongScenes(const std::vector<bool>& counts) const;
   std::size_t AllWrongScenes() const { return WrongScenes(std::vector<bool>(wrong_, true)); }
   // Whether the wrong draws are too few to name a cause by them for sure.
@@ -90,8 +92,9 @@ class Investigation {
   std::size_t wrong_ = 0;
   std::size_t modelled_ = 0;
   std::vector<Suspect> suspects_;
-  std::vector<Fitting> partly_;  // consistent ones that reproduce some wrong draws
-  std::set<std::size_t> open_;   // failures without a cause
+  std::vector<Seen> stated_drew_;  // of the wrong ones, when the race began
+  std::vector<Fitting> partly_;    // sound ones that reproduce some wrong draws
+  std::set<std::size_t> open_;     // failures without a cause
   std::map<std::size_t, Cause>
       hints_;  // of failures: what draws alike, by too few scenes to be sure
   Explanation found_;
@@ -112,77 +115,75 @@ void Investigation::Sort() {
   observations_ = std::move(sorted);
 }
 
-// Whether no draw that is as stated refutes it; counts what it reproduces of the others.
-bool Investigation::IsConsistent(Fitting& fitting) const {
-  std::set<std::size_t> failed, missed;
-  for (std::size_t k = 0; k < wrong_; ++k) {
-    const Observation& o = observations_[k];
-    const bool reproduces = Reproduces(*fitting.draws, o);
-    fitting.reproduced += reproduces ? 1 : 0;
-    if (o.failure == Observation::kAround) {
-      if (fitting.reproduced == 0) return false;  // the failing cases come first
-      continue;
+// Whether, wherever it differs from the stated model, the subject draws as it does; counts the
+// wrong draws that it reproduces.
+bool Investigation::IsSound(Fitting& fitting) const {
+  for (std::size_t k = 0; k < modelled_; ++k) {
+    const Seen seen = DrawnBy(*fitting.draws, observations_[k]);
+    if (AreAlike(seen, observations_[k].seen)) {
+      fitting.reproduced += k < wrong_ ? 1 : 0;
+    } else if (k >= wrong_ || !AreAlike(seen, stated_drew_[k])) {
+      return false;
     }
-    failed.insert(o.failure);
-    if (!reproduces) missed.insert(o.failure);
+    // The failing cases come first.
+    const bool are_over = k < wrong_ && observations_[k].failure == Observation::kAround;
+    if (fitting.reproduced == 0 && (are_over || k + 1 == wrong_)) return false;
   }
-  if (fitting.reproduced == 0) return false;
-  for (std::size_t k = wrong_; k < modelled_; ++k) {
-    if (!Reproduces(*fitting.draws, observations_[k])) return false;
-  }
-  std::ranges::set_difference(failed, missed, std::back_inserter(fitting.covered));
   return true;
 }
 
 void Investigation::Race() {
   suspects_ = SuspectsOf(subject_->Info().profile);
   partly_.clear();
+  stated_drew_.clear();
+  for (std::size_t k = 0; k < wrong_; ++k)
+    stated_drew_.push_back(DrawnBy(*stated_, observations_[k]));
   found_.suspects = 0;
   for (const Suspect& suspect : suspects_) {
     if (IsLate()) return;
     ++found_.suspects;
-    Fitting fitting{suspect.cause,
-                    suspect.what,
-                    suspect.stages,
-                    MakeSuspect(subject_->Info(), suspect.stages),
-                    0,
-                    {}};
-    if (IsConsistent(fitting)) partly_.push_back(std::move(fitting));
+    Fitting fitting{suspect.cause, suspect.what, suspect.stages,
+                    MakeSuspect(subject_->Info(), suspect.stages), 0};
+    if (IsSound(fitting)) partly_.push_back(std::move(fitting));
   }
 }
 
 // Takes a modelled draw more: it comes after the others of its kind.
 void Investigation::Observe(Observation observation) {
   observation.is_wrong = !Reproduces(*stated_, observation);
+  observation.place = observations_.size();
   const std::size_t place = observation.is_wrong ? wrong_++ : modelled_;
   ++modelled_;
   observations_.insert(observations_.begin() + static_cast<std::ptrdiff_t>(place),
                        std::move(observation));
 }
 
-// Asks the subject where the suspects draw differently; where few draws are wrong, too, where they
-// differ from the stated model: that finds another wrong draw, or refutes them.
-void Investigation::Split(std::vector<Fitting>& left, const Case& c) {
+// Asks the subject where the suspects draw differently, and, if `also_alike`, where they differ from
+// the stated model: that finds another wrong draw, or refutes them. Returns whether it did the latter.
+bool Investigation::Split(std::vector<Fitting>& left, const Case& c, bool also_alike) {
   const auto placed = std::make_shared<const PlacedCase>(Place(c, true));
   Observation o{Observation::kAround, placed};
   o.check.questions.draws = {CountsOf(placed->scene, placed->profile, placed->options)};
-  if (!Takes(subject_->Info(), c.scene) || !IsModelled(o, subject_->Info())) return;
+  if (!Takes(subject_->Info(), c.scene) || !IsModelled(o, subject_->Info())) return false;
   const Request request{placed.get(), &o.check, nullptr};
   Answers first = std::move(Submit(*left.front().draws, {&request, 1}).front());
-  if (first.end.stop != Stop::kNone) return;
+  if (first.end.stop != Stop::kNone) return false;
   o.seen = first.draws;
   const auto agrees = [&](const Fitting& fitting) { return Reproduces(*fitting.draws, o); };
-  if (std::ranges::all_of(left, agrees) && (!AreFew() || Reproduces(*stated_, o))) return;
+  const bool are_alike = std::ranges::all_of(left, agrees);
+  const bool is_as_stated = Reproduces(*stated_, o);
+  if (are_alike && (!also_alike || is_as_stated)) return false;
   const double begun = SecondsOfDraws(*subject_);
   Answers answers = std::move(Submit(*subject_, {&request, 1}).front());
   asked_ += SecondsOfDraws(*subject_) - begun;
-  if (answers.end.stop != Stop::kNone) return;
+  if (answers.end.stop != Stop::kNone) return false;
   o.seen = std::move(answers.draws);
   std::vector<bool> stays;
   for (const Fitting& fitting : left) stays.push_back(agrees(fitting));
   std::size_t k = 0;
   std::erase_if(left, [&](const Fitting&) { return !stays[k++]; });
   Observe(std::move(o));
+  return !is_as_stated;
 }
 
 // By turns of the model's domains and of a failed property's; nothing if none suits the subject.
@@ -197,9 +198,12 @@ std::optional<Case> Investigation::NextSplit(std::uint64_t number) const {
 }
 
 void Investigation::TellApart(std::vector<Fitting>& left) {
+  std::size_t confirmed = 0;
   for (std::uint64_t k = 0; k < kSplits; ++k) {
-    if (left.empty() || (left.size() == 1 && !AreFew()) || IsLate() || IsSlow()) return;
-    if (const std::optional<Case> c = NextSplit(k)) Split(left, *c);
+    const bool also_alike = confirmed < kConfirmations || AreFew();
+    if (left.empty() || (left.size() == 1 && !also_alike) || IsLate() || IsSlow()) return;
+    const std::optional<Case> c = NextSplit(k);
+    if (c && Split(left, *c, also_alike)) ++confirmed;
   }
 }
 
@@ -219,6 +223,12 @@ Cause Investigation::Of(CauseKind kind, const std::vector<Fitting>& left) const 
   cause.rests_on_few = AreFewScenes(kind, cause.wrong_scenes, AllWrongScenes());
   cause.only_with = OnlyWith(observations_);
   return cause;
+}
+
+std::vector<const Observation*> Investigation::AllWrong() const {
+  std::vector<const Observation*> wrong;
+  for (std::size_t k = 0; k < wrong_; ++k) wrong.push_back(&observations_[k]);
+  return wrong;
 }
 
 // The different scenes among the wrong draws that count.
@@ -242,6 +252,29 @@ bool Investigation::HasWrongDraws(std::size_t failure) const {
   return !is_asked && !AsksForValues(*subject_, failures_[failure]);
 }
 
+// Whether nothing is covered in any draw, where something should be in some.
+bool Investigation::FindNothingDrawn() {
+  const auto is_empty = [](const std::shared_ptr<const Drawing>& drawing) {
+    const auto is_zero = [](std::uint32_t n) { return n == 0; };
+    return std::ranges::all_of(drawing->counts.front, is_zero) &&
+           std::ranges::all_of(drawing->counts.back, is_zero);
+  };
+  if (AreFew()) return false;
+  for (std::size_t k = 0; k < modelled_; ++k) {
+    if (!std::ranges::all_of(observations_[k].seen, is_empty)) return false;
+  }
+  Cause cause;
+  cause.kind = CauseKind::kNothingDrawn;
+  cause.name = "nothing-drawn";
+  cause.draws = DrawsOf(std::span(observations_).first(modelled_));
+  cause.wrong_scenes = AllWrongScenes();
+  for (std::size_t k = 0; k < failures_.size(); ++k) {
+    if (HasWrongDraws(k)) cause.properties.push_back(k);
+  }
+  if (!cause.properties.empty()) Take(std::move(cause));
+  return true;
+}
+
 bool Investigation::FindWhole() {
   std::vector<Fitting> whole;
   std::erase_if(partly_, [&](Fitting& fitting) {
@@ -260,11 +293,7 @@ bool Investigation::FindWhole() {
   return true;
 }
 
-bool Investigation::AreFew() const {
-  std::vector<const Observation*> wrong;
-  for (std::size_t k = 0; k < wrong_; ++k) wrong.push_back(&observations_[k]);
-  return ScenesOf(wrong, kFewestScenes) < kFewestScenes;
-}
+bool Investigation::AreFew() const { return ScenesOf(AllWrong(), kFewestScenes) < kFewestScenes; }
 
 // A draw more that refutes what was left belongs to the evidence: other suspects may fit it.
 bool Investigation::FindWholeByRaces() {
@@ -325,6 +354,11 @@ bool Investigation::FindCombination() {
     stages = *Composed(stages, suspects_[*next].stages);
     reproduced = ReproducedBy(stages);
   }
+  // What explains all draws must foretell others.
+  std::vector<Fitting> left;
+  left.push_back({"", "", stages, MakeSuspect(subject_->Info(), stages), wrong_});
+  TellApart(left);
+  if (left.empty()) return false;
   Share(combined);
   return true;
 }
@@ -369,31 +403,72 @@ void Investigation::Take(Cause cause) {
   if (!cause.rests_on_few) found_.causes.push_back(std::move(cause));
 }
 
-// Greedily: the suspect that reproduces all failing draws of most properties first.
-void Investigation::FindParts() {
-  while (!open_.empty()) {
-    const auto news = [&](const Fitting& fitting) {
-      return std::ranges::count_if(fitting.covered,
-                                   [&](std::size_t k) { return open_.contains(k); });
-    };
-    const auto best = std::ranges::max_element(
-        partly_, {}, [&](const Fitting& f) { return std::pair(news(f), f.reproduced); });
-    if (best == partly_.end() || news(*best) == 0 || best->reproduced < kFewestInPart) return;
-    std::vector<Fitting> equal;
-    const std::pair most(news(*best), best->reproduced);
-    std::erase_if(partly_, [&](Fitting& f) {
-      if (std::pair(news(f), f.reproduced) != most) return false;
-      equal.push_back(std::move(f));
-      return true;
-    });
-    Cause cause = Of(CauseKind::kPart, equal);
-    cause.draws = wrong_;
-    cause.reproduced = equal.front().reproduced;
-    for (const std::size_t k : equal.front().covered) {
-      if (open_.contains(k)) cause.properties.push_back(k);
-    }
-    Take(std::move(cause));
+// Sound suspects of which each wrong draw is reproduced by one, the one of most draws first; with
+// each those that reproduce the same. Nothing if there are no such.
+std::vector<std::vector<Fitting>> Investigation::PartsOfAll() {
+  std::vector<std::vector<bool>> reproduced;
+  for (const Fitting& fitting : partly_) {
+    reproduced.push_back(ReproducedBy(fitting.stages));
+    reproduced.back().resize(wrong_);
   }
+  std::vector<std::vector<Fitting>> parts;
+  std::vector<bool> left(wrong_, true);
+  while (std::ranges::find(left, true) != left.end()) {
+    const auto news = [&](const std::vector<bool>& of) {
+      std::size_t n = 0;
+      for (std::size_t k = 0; k < wrong_; ++k) n += of[k] && left[k] ? 1 : 0;
+      return n;
+    };
+    const auto best = std::ranges::max_element(reproduced, {}, news);
+    if (best == reproduced.end() || news(*best) == 0 || parts.size() == kMostCombined) return {};
+    const std::vector<bool> those = *best;
+    std::vector<Fitting>& part = parts.emplace_back();
+    for (std::size_t n = 0; n < partly_.size(); ++n) {
+      if (reproduced[n] == those) part.push_back(std::move(partly_[n]));
+    }
+    std::size_t n = 0;
+    std::erase_if(partly_, [&](const Fitting&) { return reproduced[n++] == those; });
+    std::erase(reproduced, those);
+    for (std::size_t k = 0; k < wrong_; ++k) left[k] = left[k] && !those[k];
+  }
+  return parts;
+}
+
+// Several suspects, of which each wrong draw is one's: of faults that never meet in a draw.
+bool Investigation::FindParts() {
+  std::vector<std::vector<Fitting>> parts = PartsOfAll();
+  const std::size_t known = wrong_;
+  for (std::vector<Fitting>& part : parts) {
+    TellApart(part);
+    if (part.empty()) return false;
+  }
+  // A wrong draw more must be one's, too: they are few, and looked at one by one.
+  for (std::size_t k = known; k < wrong_; ++k) {
+    const bool is_explained = std::ranges::any_of(parts, [&](const std::vector<Fitting>& part) {
+      return Reproduces(*part.front().draws, observations_[k]);
+    });
+    if (!is_explained) return false;
+  }
+  std::set<std::size_t> unshared = open_;
+  std::vector<Cause> causes;
+  for (const std::vector<Fitting>& part : parts) {
+    Cause& cause = causes.emplace_back(Of(CauseKind::kPart, part));
+    cause.draws = wrong_;
+    const std::vector<bool> reproduced = ReproducedBy(part.front().stages);
+    cause.reproduced = 0;
+    for (std::size_t k = 0; k < wrong_; ++k) {
+      if (!reproduced[k]) continue;
+      ++cause.reproduced;
+      const std::size_t failure = observations_[k].failure;
+      if (unshared.erase(failure) != 0) cause.properties.push_back(failure);
+    }
+  }
+  // Where one of them can't be named, the others leave draws unexplained.
+  const bool are_sure = std::ranges::none_of(causes, &Cause::rests_on_few);
+  for (Cause& cause : causes) {
+    if (are_sure || cause.rests_on_few) Take(std::move(cause));
+  }
+  return are_sure && !causes.empty();
 }
 
 void Investigation::FindRest() {
@@ -408,7 +483,7 @@ void Investigation::FindRest() {
     cause.draws = modelled_;
     cause.properties = {k};
     if (!wrong.empty()) {
-      Circumstance circumstance = FindCircumstance(make_, wrong);
+      Circumstance circumstance = FindCircumstance(make_, wrong, observations_);
       cause.kind = circumstance.name.empty() ? CauseKind::kUnexplained : CauseKind::kCircumstance;
       cause.name = circumstance.name;
       if (!cause.name.empty()) {
@@ -419,6 +494,7 @@ void Investigation::FindRest() {
         cause.rests_on_few = true;
       }
       if (!cause.rests_on_few) cause.only_with = OnlyWith(observations_);
+      if (cause.name.empty()) cause.pattern = PatternOf(AllWrong(), *stated_);
     } else if (failures_[k].property->gate.shows == Shows::kFloatModes) {
       // It compares draws in other modes with those in the usual one.
       cause.kind = CauseKind::kCircumstance;
@@ -444,6 +520,7 @@ Explanation Investigation::Run() {
   subject_ = make_();
   Gathered gathered = Gather(*subject_, failures_, kGatheringShare * seconds_);
   observations_ = std::move(gathered.observations);
+  for (std::size_t k = 0; k < observations_.size(); ++k) observations_[k].place = k;
   found_.is_cut_short = gathered.is_cut_short;
   end_ = ThreadSeconds() + (1 - kGatheringShare) * seconds_;
   stated_ = MakeSuspect(subject_->Info(), {});
@@ -451,7 +528,7 @@ Explanation Investigation::Run() {
   for (std::size_t k = 0; k < failures_.size(); ++k) open_.insert(k);
   const bool are_points = subject_->Info().profile.contract != Contract::kSquares;
   if (wrong_ != 0 && are_points) {
-    if (!FindWholeByRaces() && !FindCombination()) FindParts();
+    if (!FindNothingDrawn() && !FindWholeByRaces() && !FindCombination()) FindParts();
   }
   found_.draws = DrawsOf(observations_);
   found_.wrong = DrawsOf(std::span(observations_).first(wrong_));

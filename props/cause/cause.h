@@ -18,7 +18,8 @@ namespace rasterproof::props {
 /// How a cause was found.
 enum class CauseKind : std::uint8_t {
   kModel,         ///< a suspect reproduces every draw of the evidence
-  kPart,          ///< one reproduces the failing draws of its properties, and no draw refutes it
+  kPart,          ///< one of several that together reproduce every draw of the evidence
+  kNothingDrawn,  ///< no draw covers anything, where some should
   kCircumstance,  ///< the failing draws are right once one thing about them is changed
   kShownValues,   ///< every draw is as stated: what fails is in the values that are shown
   kUnexplained    ///< no suspect, or too few draws to name one
@@ -40,6 +41,8 @@ struct Cause {
   bool rests_on_few = false;
   /// What all draws have that differ from the stated model, and hardly others: "x < 0".
   std::vector<std::string> only_with = {};
+  /// Of kUnexplained: where all wrong samples lie; "" if nothing is to be said.
+  std::string pattern = {};
 };
 
 /// Whether a suspect reproduces so few scenes that it is not named: fewer than four, and, if it is
@@ -68,8 +71,9 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 ///
 /// Each suspect (suspect.h) is compared with the subject on the same draws: those of the failing
 /// cases, and others around them. A suspect that draws one of them otherwise is refuted. What is
-/// left explains all; if none is, suspects that explain some of the properties are looked for, and
-/// then what about the failing draws must be so.
+/// left must foretell draws more in which it differs from the stated model. If none is left, several
+/// are looked for that explain all draws together, or each some of them and all of them all; never
+/// is one named that leaves a draw unexplained. Then comes what about the failing draws must be so.
 ///
 /// Domain:     properties that subjects of `make` violate; each call makes another of them, which
 ///             has drawn nothing.
@@ -86,9 +90,16 @@ struct Circumstance {
   std::string what;  ///< completes "it is right ..."
 };
 
-/// Finds what must be so for the draws to be wrong: other draws before them, an option, a list.
-/// nullptr-like empty name if nothing makes all of them right.
-Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observation* const> wrong);
+/// Finds what must be so for the draws to be wrong: other draws before them, an option, a list; or
+/// that nothing must, where equal questions have different answers. An empty name if nothing makes
+/// all of them right. `all` is what was asked before them, in the order of Observation::place.
+Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observation* const> wrong,
+                              std::span<const Observation> all);
+
+/// Returns where all wrong samples of the draws lie, to be read after "every wrong sample": in one
+/// row or column, in blocks that are drawn or left out whole, on one side of a line; "" if nowhere
+/// in particular.
+std::string PatternOf(std::span<const Observation* const> wrong, Subject& stated);
 
 /// What the draws that differ from the stated model have in common, and most others lack.
 std::vector<std::string> OnlyWith(std::span<const Observation> observations);

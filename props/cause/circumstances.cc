@@ -103,6 +103,37 @@ class Toggling {
     return IsRight(*fresh, *stated_, *o.placed, o.check.questions);
   }
 
+  // Whether the same question has different answers, each of a subject that has drawn nothing else.
+  bool IsAnsweredByChance(const Observation& o) {
+    constexpr int kTries = 4;
+    std::optional<Seen> first;
+    for (int k = 0; k < kTries; ++k) {
+      const std::unique_ptr<Subject> fresh = make_();
+      Seen now = DrawnBy(*fresh, o);
+      if (now.size() != o.seen.size()) return false;  // it gave no answer
+      if (!first)
+        first = std::move(now);
+      else if (!AreAlike(*first, now))
+        return true;
+    }
+    return false;
+  }
+
+  // Whether the wrong answer comes again when all that was asked before it is asked again.
+  bool ComesAgainAfter(std::span<const Observation> all, const Observation& o) {
+    std::vector<const Observation*> before;
+    for (const Observation& other : all) {
+      if (other.place < o.place) before.push_back(&other);
+    }
+    std::ranges::sort(before, {}, &Observation::place);
+    const std::unique_ptr<Subject> fresh = make_();
+    for (const Observation* other : before) {
+      const Request request{other->placed.get(), &other->check, &other->bases};
+      if (EndsTheCall(Submit(*fresh, {&request, 1}).front().end.stop)) return false;
+    }
+    return Reproduces(*fresh, o);
+  }
+
   // Every draw by itself, by a subject that has drawn nothing else.
   std::optional<bool> ByItself(const Observation& o) {
     if (o.check.questions.draws.size() > 16) return std::nullopt;
@@ -153,19 +184,38 @@ bool AllRight(std::span<const Observation* const> wrong, const Asks& asks) {
 
 }  // namespace
 
-Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observation* const> wrong) {
+Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observation* const> wrong,
+                              std::span<const Observation> all) {
   constexpr std::size_t kMostTried = 6;
+  constexpr std::size_t kMostRepeated = 2;
   const auto tried = wrong.first(std::min(kMostTried, wrong.size()));
   Toggling toggling(make, make()->Info());
+  const Toggle& one_thread = *std::ranges::find(kToggles, "threads", &Toggle::name);
+  const auto with = [&](const Toggle& toggle) {
+    return AllRight(tried, [&](const Observation& o) { return toggling.With(toggle, o); });
+  };
+  const Circumstance by_chance{"not-repeatable",
+                               "or wrong by chance: equal questions have different answers"};
+  if (std::ranges::any_of(tried,
+                          [&](const Observation* o) { return toggling.IsAnsweredByChance(*o); })) {
+    return with(one_thread) ? Circumstance{"threads", std::string(one_thread.what)} : by_chance;
+  }
+  const auto after_others = [&]() -> Circumstance {
+    const bool comes_again = std::ranges::all_of(
+        tried.first(std::min(kMostRepeated, tried.size())),
+        [&](const Observation* o) { return toggling.ComesAgainAfter(all, *o); });
+    return comes_again ? Circumstance{"earlier-draws", "if no other draw comes before it"}
+                       : by_chance;
+  };
   if (AllRight(tried, [&](const Observation& o) { return toggling.Again(o); }))
-    return {"earlier-draws", "if no other draw comes before it"};
+    return with(one_thread) ? Circumstance{"threads", std::string(one_thread.what)}
+                            : after_others();
   for (const Toggle& toggle : kToggles) {
     if (toggle.name == "scissor" &&
         AllRight(tried, [&](const Observation& o) { return toggling.ByItself(o); })) {
-      return {"earlier-draws", "if no other draw comes before it"};
+      return after_others();
     }
-    if (AllRight(tried, [&](const Observation& o) { return toggling.With(toggle, o); }))
-      return {std::string(toggle.name), std::string(toggle.what)};
+    if (with(toggle)) return {std::string(toggle.name), std::string(toggle.what)};
   }
   if (AllRight(tried, [&](const Observation& o) { return toggling.ByTriangles(o); })) {
     return {"list", "if each triangle is drawn alone"};

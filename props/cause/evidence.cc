@@ -217,11 +217,13 @@ Gathered Gather(Subject& subject, std::span<const FailedProperty> failures, doub
   return found;
 }
 
-bool Reproduces(Subject& suspect, const Observation& observation) {
+Seen DrawnBy(Subject& other, const Observation& observation) {
   const Request request{observation.placed.get(), &observation.check, &observation.bases};
-  const Answers answers = std::move(Submit(suspect, {&request, 1}).front());
-  return std::ranges::equal(answers.draws, observation.seen,
-                            [](const auto& a, const auto& b) { return SameDrawing(*a, *b); });
+  return std::move(Submit(other, {&request, 1}).front()).draws;
+}
+
+bool AreAlike(const Seen& a, const Seen& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return SameDrawing(*x, *y); });
 }
 
 bool AsksForValues(Subject& subject, const FailedProperty& failure) {

@@ -35,6 +35,7 @@ struct Observation {
   std::vector<std::shared_ptr<const Drawing>> seen = {};
   bool is_modelled = true;  ///< suspects can draw all of it
   bool is_wrong = false;    ///< seen otherwise than the stated model draws it
+  std::size_t place = 0;    ///< in the order in which they were asked
 };
 
 /// What was gathered.
@@ -60,10 +61,19 @@ Gathered Gather(Subject& subject, std::span<const FailedProperty> failures, doub
 /// Whether suspects can draw all that the observation asks, and the profile leaves none of it open.
 bool IsModelled(const Observation& observation, const SubjectInfo& info);
 
-/// Puts the observation's questions to another subject.
-///
-/// Returns:    whether it answers the same: counts, and primitive ids where both show them.
-bool Reproduces(Subject& suspect, const Observation& observation);
+/// What a subject drew.
+using Seen = std::vector<std::shared_ptr<const Drawing>>;
+
+/// Puts the observation's questions to another subject, and returns what it draws.
+Seen DrawnBy(Subject& other, const Observation& observation);
+
+/// Returns whether both are the same: counts, and primitive ids where both show them.
+bool AreAlike(const Seen& a, const Seen& b);
+
+/// Returns whether another subject draws what was observed.
+inline bool Reproduces(Subject& suspect, const Observation& observation) {
+  return AreAlike(DrawnBy(suspect, observation), observation.seen);
+}
 
 /// Whether the property asks for values beside coverage about the first of its cases: edge values,
 /// barycentrics, depths.

@@ -1,7 +1,9 @@
 // Suspects that give samples on edges to others, or compute edge values otherwise.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,8 +16,12 @@ namespace {
 
 __extension__ using Wide = __int128;
 
+// Of what is not a number: neither on the edge nor inside, and of no area.
+constexpr int kNoSign = -2;
+
 template <class Number>
 int SignOf(Number n) {
+  if (n != n) return kNoSign;
   return (n > 0) - (n < 0);
 }
 
@@ -158,23 +164,48 @@ std::int64_t WrappedTo(Wide n, int bits) {
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(n) << unused) >> unused;
 }
 
+using ValueSign = std::function<int(const SuspectEdge&, const SuspectSample&)>;
+
+// What is wrong with edge values may be wrong with the area, too, and shows at the samples that are
+// looked at: those that the triangle's box holds, all of the pixels that it meets, or all.
+void AddArithmetic(const std::string& cause, const std::string& what, const ValueSign& value,
+                   std::vector<Suspect>& list) {
+  using Box = void (*)(PixelRect&, const SuspectTriangle&, const Scene&);
+  constexpr Box kMeets = [](PixelRect& box, const SuspectTriangle& t, const Scene&) {
+    const auto [left, right] = std::ranges::minmax(t.v, {}, &Point2::x);
+    const auto [top, bottom] = std::ranges::minmax(t.v, {}, &Point2::y);
+    box = {ToPixel(std::floor(left.x)), ToPixel(std::floor(top.y)),
+           ToPixel(std::floor(right.x)) + 1, ToPixel(std::floor(bottom.y)) + 1};
+  };
+  constexpr Box kAll = [](PixelRect& box, const SuspectTriangle&, const Scene& scene) {
+    box = {0, 0, scene.width, scene.height};
+  };
+  for (const Box box : {kMeets, Box{nullptr}, kAll}) {
+    SuspectStages stages{.value = value};
+    if (box != nullptr) stages.box = box;
+    list.push_back({cause, what, stages});
+    stages.area = [value](const std::array<Point2, 3>& v) {
+      const int sign = value({.opposite = 2, .a = v[0], .b = v[1]}, {.at = v[2]});
+      return sign == kNoSign ? 0 : sign;
+    };
+    list.push_back({cause, what + ", the area's too", stages});
+  }
+}
+
 void AddIntegers(const Profile& profile, std::vector<Suspect>& list) {
   const int grid =
       profile.snap.IsNone() && profile.fixed ? profile.fixed->fraction_bits : profile.snap.bits;
   if (grid < 0) return;
   const double scale = std::ldexp(1.0, std::max(grid, 1));
   const auto add = [&](const std::string& cause, const std::string& what, auto value) {
-    SuspectStages stages{.value = [value, scale](const SuspectEdge& e, const SuspectSample& s) {
-      return SignOf(value(StepsOf(e, s, scale)));
-    }};
-    list.push_back({cause, what, stages});
-    if (cause != "overflow") return;
-    stages.box = [](PixelRect& box, const SuspectTriangle&, const Scene& scene) {
-      box = {0, 0, scene.width, scene.height};
-    };
-    list.push_back({cause, what + ", at all samples of the target", stages});
+    AddArithmetic(
+        cause, what,
+        [value, scale](const SuspectEdge& e, const SuspectSample& s) {
+          return SignOf(value(StepsOf(e, s, scale)));
+        },
+        list);
   };
-  for (const int bits : {32, 31, 33, 30, 24, 28, 48, 40, 34}) {
+  for (const int bits : {32, 31, 33, 30, 24, 28, 48, 40, 34, 36}) {
     const std::string of = " to " + std::to_string(bits) + " bits";
     add("overflow", "wraps edge values" + of,
         [bits](const InSteps& i) { return WrappedTo(i.Value(), bits); });
@@ -210,6 +241,10 @@ void AddIntegers(const Profile& profile, std::vector<Suspect>& list) {
     add("edge-precision",
         "takes edge values below 2^" + std::to_string(bits) + " steps for on the edge",
         [step](const InSteps& i) { return i.Value() / step; });
+    add("edge-precision", "covers samples within 2^" + std::to_string(bits) + " steps of an edge",
+        [step](const InSteps& i) { return i.Value() > -step ? Wide{1} : Wide{-1}; });
+    add("edge-precision", "covers no sample within 2^" + std::to_string(bits) + " steps of an edge",
+        [step](const InSteps& i) { return i.Value() < step ? Wide{-1} : Wide{1}; });
   }
 }
 
@@ -219,9 +254,14 @@ using Arithmetic = int (*)(const SuspectEdge&, Point2);
 template <class Number>
 struct Forms {
   static Number N(double x) { return static_cast<Number>(x); }
-  static int Direct(const SuspectEdge& e, Point2 p) {
-    return SignOf((N(p.x) - N(e.a.x)) * (N(e.b.y) - N(e.a.y)) -
-                  (N(p.y) - N(e.a.y)) * (N(e.b.x) - N(e.a.x)));
+  static Number DirectValue(const SuspectEdge& e, Point2 p) {
+    return (N(p.x) - N(e.a.x)) * (N(e.b.y) - N(e.a.y)) -
+           (N(p.y) - N(e.a.y)) * (N(e.b.x) - N(e.a.x));
+  }
+  static int Direct(const SuspectEdge& e, Point2 p) { return SignOf(DirectValue(e, p)); }
+  static int DirectFinite(const SuspectEdge& e, Point2 p) {
+    const Number value = DirectValue(e, p);
+    return std::isfinite(value) ? SignOf(value) : kNoSign;
   }
   static int FusedFirst(const SuspectEdge& e, Point2 p) {
     const Number second = (N(p.y) - N(e.a.y)) * (N(e.b.x) - N(e.a.x));
@@ -261,15 +301,14 @@ int Stepped(const SuspectEdge& e, const SuspectSample& s, int tile) {
 
 void AddFloats(std::vector<Suspect>& list) {
   const auto add = [&](const std::string& what, Arithmetic sign) {
-    list.push_back({"float-edges",
-                    "computes edge values " + what,
-                    {.value = [sign](const SuspectEdge& e, const SuspectSample& s) {
-                      return sign(e, s.at);
-                    }}});
+    AddArithmetic(
+        "float-edges", "computes edge values " + what,
+        [sign](const SuspectEdge& e, const SuspectSample& s) { return sign(e, s.at); }, list);
   };
   using Float = Forms<float>;
   using Double = Forms<double>;
   add("in float32, directly", Float::Direct);
+  add("in float32, directly, where infinite ones are outside", Float::DirectFinite);
   add("in float32, its first product fused", Float::FusedFirst);
   add("in float32, its second product fused", Float::FusedSecond);
   add("in float32 as a x + b y + c", Float::Affine);

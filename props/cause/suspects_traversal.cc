@@ -37,6 +37,16 @@ void AddBoxes(std::vector<Suspect>& list) {
                         box.*side.end += by * side.inward;
                       }}});
     }
+    // On the other sides it is one of the loops below.
+    if (side.inward < 0) continue;
+    list.push_back({"bounding-box",
+                    "begins a triangle's box 1 pixel late on the " + std::string(side.word) +
+                        ", before it is cut to the target",
+                    {.box = [side](PixelRect& box, const SuspectTriangle& t, const Scene&) {
+                      const auto axis = side.end == &PixelRect::x0 ? &Point2::x : &Point2::y;
+                      const Point2& least = std::ranges::min(t.v, {}, axis);
+                      box.*side.end = std::max(box.*side.end, ToPixel(std::floor(least.*axis)) + 1);
+                    }}});
   }
   list.push_back({"bounding-box",
                   "takes a box of one column for empty",

@@ -95,6 +95,7 @@ class Shrinking {
   }
 
   Case Smallest(const Case& failing) {
+    if (property_.draws_own_scenes) return failing;
     began_ = budget_.Now();
     budget_.GiveSubject(options_.shrink_seconds);
     const auto fails = [this](const Case& candidate) { return Fails(candidate); };

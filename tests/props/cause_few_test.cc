@@ -76,13 +76,12 @@ TEST(FewDraws, NameNoCauseOfAPartBesideMoreOthers) {
   std::vector<Case> odd;
   for (int k = 0; k < 4; ++k) odd.push_back(Tall(16401, 0, 28.25 + k));
   const Explanation found = ExplainPlanted(LosingRows(), {TallOnes(3), odd});
-  ASSERT_EQ(found.causes.size(), 2U);
-  const Cause& cause = found.causes.front();
-  EXPECT_EQ(cause.kind, CauseKind::kUnexplained);
-  EXPECT_EQ(cause.what.back(), "never draws pixels from row 8192 on");
-  EXPECT_TRUE(found.causes.back().what.empty());
-  EXPECT_EQ(cause.wrong_scenes, 3U);
-  EXPECT_TRUE(cause.rests_on_few);
+  ASSERT_FALSE(found.causes.empty());
+  // What explains a part of the draws, and leaves the others to no one, is not named at all.
+  for (const Cause& cause : found.causes) {
+    EXPECT_EQ(cause.kind, CauseKind::kUnexplained);
+    EXPECT_TRUE(cause.what.empty());
+  }
 }
 
 TEST(FewDraws, OfAPartAreEnoughIfFourOrHalf) {

@@ -203,6 +203,7 @@ extern constinit const Property kLargeTargetIsCoveredLikeASmallOne{
     .required_by = kPlacedSampleClauses,
     .tolerance = kExact,
     .domains = large_target_is_covered_like_a_small_one::kSmallMeshes,
+    .draws_own_scenes = true,
     .gate = {.any_model = true,
              .judges_shared_edge_samples = true,
              .judges_clipped = true,

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/profile_keys.h"
 #include "core/quoted.h"
 #include "core/suggestion.h"
 #include "io/json_document.h"
@@ -214,13 +215,28 @@ std::string CaseToJson(const CaseFile& file) {
   return json + "\n}\n";
 }
 
+namespace {
+
+// A contract is what a profile promises, and no profile.
+std::string ContractHint(const std::string& name) {
+  for (const Contract contract :
+       {Contract::kSampleExact, Contract::kWatertight, Contract::kClosed}) {
+    if (name == ContractName(contract))
+      return "it is a contract: write '{\"contract\": \"" + name + "\"}'; ";
+  }
+  return "";
+}
+
+}  // namespace
+
 Profile ReadProfile(const std::string& path_or_preset) {
   if (const std::optional<Profile> preset = PresetProfile(path_or_preset)) return *preset;
+  if (path_or_preset.starts_with('{')) return ParseProfile(path_or_preset, "the profile");
   std::error_code unknown;
   if (path_or_preset != "-" && !std::filesystem::exists(path_or_preset, unknown)) {
-    throw InputError(
-        "profile " + Quoted(path_or_preset), "is neither a preset nor a file",
-        Suggestion(path_or_preset, PresetNames()) + "the presets are" + ListedNames(PresetNames()));
+    throw InputError("profile " + Quoted(path_or_preset), "is neither a preset nor a file",
+                     ContractHint(path_or_preset) + Suggestion(path_or_preset, PresetNames()) +
+                         "the presets are" + ListedNames(PresetNames()));
   }
   return ParseProfile(ReadFile(path_or_preset), NameOfFile(path_or_preset));
 }

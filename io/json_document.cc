@@ -117,9 +117,14 @@ class JsonBuilder {
     }
     const std::string reason = Reason(error.what());
     const bool cut = reason.find("unexpected end of input") != std::string::npos;
+    const bool may_be_nan = token.ends_with("N") || token.ends_with("Na") || token.ends_with("I") ||
+                            token.ends_with("n") || token.ends_with("-I");
     throw InputError(
         document_.place_ + ": " + LineAndColumn(source_, std::min(position, source_.size() + 1)),
-        reason, cut ? "the file is cut short: write it again" : "correct the JSON there");
+        reason,
+        cut          ? "the file is cut short: write it again"
+        : may_be_nan ? "JSON has no NaN and no infinity: write \"nan\", \"inf\" or \"-inf\""
+                     : "correct the JSON there");
   }
 
  private:

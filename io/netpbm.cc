@@ -201,6 +201,11 @@ std::string EncodePgm(int width, int height, std::span<const std::uint32_t> leve
 
 std::string EncodeFor(const std::string& path, const Image& image) {
   if (path.ends_with(".ppm")) return EncodePpm(image);
+  for (const char* other : {".jpg", ".jpeg", ".gif", ".bmp", ".tga", ".webp", ".svg"}) {
+    if (path.ends_with(other)) {
+      throw InputError(Quoted(path), "pictures are written as PNG or PPM", "name it .png or .ppm");
+    }
+  }
   if (!path.ends_with(".pgm")) return EncodePng(image);
   std::vector<std::uint32_t> levels;
   levels.reserve(image.pixels.size());

@@ -142,7 +142,7 @@ std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
     const std::string pixels = name.substr(beginning.size());
     const bool is_digits = pixels.find_first_not_of("0123456789") == std::string::npos;
     if (is_digits && !pixels.empty() && pixels.size() <= kMostDigits)
-      return AroundTarget{std::stod(pixels)};
+      return AroundTarget{static_cast<double>(std::stoll(pixels))};
   }
   throw value.Error(Quoted(value.text()) + " is no guard band",
                     "write none, unknown, viewport, viewport+64 or [x0, y0, x1, y1]");

@@ -8,6 +8,7 @@
 #ifndef RASTERPROOF_KIT_PLUGIN_SERVER_H_
 #define RASTERPROOF_KIT_PLUGIN_SERVER_H_
 
+#include <locale.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -134,10 +135,31 @@ static void rasterproof_malformed(void) {
   exit(1);
 }
 
+/* The number that a request has, whatever the program's locale writes in place of a point: a test or
+ * a toolkit may have called setlocale(LC_ALL, ""). */
+static double rasterproof_number(const char* word) {
+  char local[600];
+  const char* const point = localeconv()->decimal_point;
+  const char* const at = strchr(word, '.');
+  char* end = NULL;
+  double number = 0;
+  if (at == NULL || strcmp(point, ".") == 0 || strlen(word) + strlen(point) >= sizeof local) {
+    number = strtod(word, &end);
+  } else {
+    const size_t whole = (size_t)(at - word);
+    memcpy(local, word, whole);
+    strcpy(local + whole, point);
+    strcat(local, at + 1);
+    number = strtod(local, &end);
+  }
+  if (*end != '\0') rasterproof_malformed();
+  return number;
+}
+
 static double rasterproof_next_number(FILE* in) {
   char word[512];
   if (fscanf(in, "%511s", word) != 1) rasterproof_malformed();
-  return strtod(word, NULL);
+  return rasterproof_number(word);
 }
 
 /* Reads one request and answers it; 0 at the end of the input. */

@@ -1,7 +1,7 @@
 #include "props/authority.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,7 +30,9 @@ std::string_view NameOf(FlatSquares flat) {
 bool SaysOtherwise(const ClauseKey& key, const std::optional<SquareRegion>& region) {
   if (key.key.ends_with(".relation")) return !region || NameOf(region->relation) != key.value;
   if (!key.key.ends_with(".half_width") || key.value.empty()) return false;
-  return !region || std::strtod(std::string(key.value).c_str(), nullptr) != region->half_width;
+  double half_width = 0;
+  std::from_chars(key.value.data(), key.value.data() + key.value.size(), half_width);
+  return !region || half_width != region->half_width;
 }
 
 // Whether the clause is about other squares than the profile's: another tier's, say.

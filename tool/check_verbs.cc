@@ -108,6 +108,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
               "How often coverage depends on the caller's floating-point mode, in place of "
               "properties: some of ftz, daz, up, down, zero, trap")
           ->delimiter(',')
+          ->type_name("ftz,daz,up,down,zero,trap")
           ->allow_extra_args(false);
   for (CLI::Option* other : {properties, catalogue, cases_json, verb->get_option("scenes"),
                              verb->get_option("--case"), verb->get_option("--seconds")})

@@ -180,13 +180,19 @@ int TellDecided(const LegalOptions& options) {
       decided.counts.size() - open, decided.counts.size(), profile.name, open,
       decided.bounded == 0 ? "" : fmt::format(", of {} only bounds are known", decided.bounded)));
   Tell(AssumedErrorLine(options));
-  constexpr std::size_t kMostTold = 3;
-  for (std::size_t k = 0; k < decided.open.size() && k < kMostTold; ++k) {
-    const legal::OpenDecision& why = decided.open[k];
+  constexpr int kMostTold = 3;
+  int told = 0;
+  for (const legal::OpenDecision& why : decided.open) {
+    // Of a triangle alone a sample may be open that all of them together decide.
+    if (decided.IsDecided(why.sample)) continue;
+    if (told++ == kMostTold) break;
     const std::size_t pixel = why.sample / static_cast<std::size_t>(decided.samples);
     const auto width = static_cast<std::size_t>(decided.width);
     Tell(fmt::format(
-        "column {} row {}: {} triangles; open for triangle {}{}\n", pixel % width, pixel / width,
+        "column {} row {}{}: {} triangles; open for triangle {}{}\n", pixel % width, pixel / width,
+        decided.samples == 1
+            ? ""
+            : fmt::format(" sample {}", why.sample % static_cast<std::size_t>(decided.samples)),
         Range(decided.Least(why.sample), decided.Most(why.sample)), why.triangle,
         why.edge < 0 ? ", of which nothing is stated"
         : decided.step > 0

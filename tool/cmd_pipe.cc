@@ -21,6 +21,7 @@
 #include "core/result.h"
 #include "core/subject.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/output.h"
 #include "props/judging/redraw.h"
@@ -32,7 +33,6 @@
 #include "props/run/submit.h"
 #include "subjects/process/protocol.h"
 #include "tool/commands.h"
-#include "tool/description.h"
 #include "tool/failure.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
@@ -44,10 +44,7 @@ namespace rasterproof::tool {
 namespace {
 
 SubjectInfo InfoOf(const PipeOptions& options) {
-  SubjectInfo info =
-      options.description.empty()
-          ? PlainDescription().info
-          : ParseDescription(io::ReadFile(options.description), options.description).info;
+  SubjectInfo info = InfoOfProgram(options.description);
   if (!options.profile.empty()) info.profile = io::ReadProfile(options.profile);
   return info;
 }
@@ -284,6 +281,28 @@ void ReportNotExercised(const props::Property& property, std::uint64_t cases,
                            why_not.empty() ? "it was never put to the test" : why_not);
 }
 
+// A few properties that ask this subject for drawings.
+std::vector<std::string_view> ThoseThatAsk(const SubjectInfo& info,
+                                           const props::Description& description) {
+  constexpr std::size_t kMostNamed = 6;
+  constexpr std::uint64_t kCasesTried = 3;
+  std::vector<std::string_view> names;
+  for (const props::Property& property : props::Catalog()) {
+    bool asks = false;
+    for (std::uint64_t n = 0; n < kCasesTried && !asks; ++n) {
+      try {
+        const Case c = props::DrawCase(info, property, 1, n);
+        asks = !props::CaseJudge(property, c, description).IsDone();
+      } catch (const InputError&) {  // none of its domains suits the subject
+        break;
+      }
+    }
+    if (asks) names.push_back(property.name);
+    if (names.size() == kMostNamed) break;
+  }
+  return names;
+}
+
 struct PipeTally {
   std::uint64_t held = 0;
   std::uint64_t refused = 0;
@@ -319,6 +338,9 @@ int RunAsk(const PipeOptions& options) {
   }
   if (id != 0) return kExitHolds;
   ReportNotExercised(property, options.campaign.cases, why_not);
+  const std::string asking_ones =
+      fmt::format("{}", fmt::join(ThoseThatAsk(info, description), ", "));
+  if (!asking_ones.empty()) std::cerr << "properties that ask: " << asking_ones << '\n';
   return kExitInconclusive;
 }
 

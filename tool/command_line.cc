@@ -13,6 +13,7 @@
 #include <iostream>
 #include <map>
 #include <new>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -289,9 +290,38 @@ void RequireVerb(const CLI::App& app, const std::string& name) {
                    Suggestion(name, verbs) + "rasterproof --help lists them");
 }
 
+// A line for the option, or the word of a list, that may be meant; "" if none is near.
+std::string NearestMeant(const CLI::App& app, const std::string& error) {
+  const auto line = [](const std::string& suggestion) {
+    return suggestion.empty() ? "" : suggestion.substr(0, suggestion.size() - 1) + "\n";
+  };
+  const auto list = error.find(" not in {");
+  if (list != std::string::npos) {
+    std::vector<std::string> words;
+    std::stringstream rest(error.substr(list + 9, error.find('}', list) - list - 9));
+    for (std::string word; std::getline(rest, word, ',');) words.push_back(word);
+    const auto begin = error.rfind(' ', list - 1);
+    return line(Suggestion(error.substr(begin + 1, list - begin - 1), words));
+  }
+  const auto option = error.find(": --");
+  if (option == std::string::npos || error.find("not expected") == std::string::npos) return "";
+  std::vector<std::string> names;
+  for (const CLI::App* verb = &app; verb != nullptr;) {
+    for (const CLI::Option* one : verb->get_options()) {
+      for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+    }
+    const std::vector<CLI::App*> next = verb->get_subcommands();
+    verb = next.empty() ? nullptr : next.front();
+  }
+  return line(Suggestion(
+      error.substr(option + 2, error.find_first_of(" ,", option + 2) - option - 2), names));
+}
+
 int Parse(int argc, char** argv, const std::string& own) {
   CLI::App app{"rasterproof: certify triangle rasterizers against exact arithmetic"};
   app.require_subcommand(1);
+  // Of an option that is given twice the last one counts: scripts add theirs behind.
+  app.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   app.set_version_flag("--version", "rasterproof " RASTERPROOF_VERSION);
   Run run;
   const std::string typed = CommandLine(argc, argv);
@@ -326,7 +356,9 @@ int Parse(int argc, char** argv, const std::string& own) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kExitHolds : kExitUsage;
+    const int status = app.exit(error) == 0 ? kExitHolds : kExitUsage;
+    if (status != kExitHolds) std::cerr << NearestMeant(app, error.what());
+    return status;
   }
   return run();
 }

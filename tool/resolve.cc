@@ -196,8 +196,10 @@ SubjectFactory ResolveSubject(const std::string& name, const std::string& profil
   if (!make) {
     throw InputError(
         fmt::format("subject '{}'", name), "there is no such subject",
-        fmt::format("{}give plugin:PATH, exec:COMMAND, FILE.subject, or choose one of{}",
-                    Suggestion(name, SubjectNames()), ListedNames(SubjectNames())));
+        name.ends_with(".so")
+            ? fmt::format("a library is given as --plugin {}", name)
+            : fmt::format("{}give plugin:PATH, exec:COMMAND, FILE.subject, or choose one of{}",
+                          Suggestion(name, SubjectNames()), ListedNames(SubjectNames())));
   }
   if (list_length != 0) {
     make = [make = std::move(make), list_length] {

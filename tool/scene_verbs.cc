@@ -18,7 +18,7 @@ CLI::Validator Positive() {
   const auto check = [](const std::string& text) {
     double number = 0;
     const bool is_positive = CLI::detail::lexical_cast(text, number) && number > 0;
-    return is_positive ? std::string() : text + " is not above 0";
+    return is_positive ? std::string() : text + " is no number above 0";
   };
   return CLI::Validator(check, "POSITIVE");
 }

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <exception>
 #include <random>
 #include <string>
 #include <system_error>
@@ -68,13 +67,9 @@ std::size_t ParseListLength(const std::string& text) {
 }
 
 double ParseSeconds(const std::string& option, const std::string& text) {
-  std::size_t used = 0;
   double seconds = 0;
-  try {
-    seconds = std::stod(text, &used);
-  } catch (const std::logic_error&) {
-    used = 0;
-  }
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seconds);
+  const auto used = error == std::errc{} ? static_cast<std::size_t>(end - text.data()) : 0;
   const std::string unit = text.substr(used);
   const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
   if (used == 0 || factor == 0 || !(seconds > 0) || seconds > 1e6) {

@@ -7,15 +7,15 @@
 namespace rasterproof::props {
 
 std::vector<std::string_view> CauseNames() {
-  return {"truncation",        "rounding",        "subpixel-bits",  "sample-location",
-          "sample-order",      "y-axis",          "tie-rule",       "edge-precision",
-          "overflow",          "range",           "float-edges",    "facing",
-          "facing-arithmetic", "culling",         "lost-triangles", "flat-triangles",
-          "not-finite",        "subnormals",      "bounding-box",   "target-border",
-          "tile-borders",      "scissor",         "counting",       "vertices",
-          "clip-space",        "transform",       "threads",        "float-mode",
-          "tile-size",         "target-contents", "earlier-draws",  "list",
-          "not-repeatable",    "nothing-drawn",   "shown-values",   "none"};
+  return {"truncation",        "rounding",   "subpixel-bits",  "sample-location",
+          "sample-order",      "y-axis",     "tie-rule",       "edge-precision",
+          "overflow",          "range",      "float-edges",    "facing",
+          "facing-arithmetic", "culling",    "lost-triangles", "flat-triangles",
+          "not-finite",        "subnormals", "bounding-box",   "target-border",
+          "tile-borders",      "scissor",    "counting",       "vertices",
+          "clip-space",        "transform",  "nothing-drawn",  "not-repeatable",
+          "threads",           "float-mode", "tile-size",      "target-contents",
+          "earlier-draws",     "list",       "shown-values",   "none"};
 }
 
 }  // namespace rasterproof::props

@@ -45,6 +45,8 @@ std::string EdgeValuesText(const std::array<Point2, 3>& v, Point2 p) {
 std::string HexText(double x) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%a", x);
+  // A library in this process may have called setlocale(LC_ALL, "").
+  std::ranges::replace(text, ',', '.');
   return text.data();
 }
 

@@ -57,6 +57,13 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
                              "give it another one");
     throw SubjectStop(Stop::kRefused, refusal.what());
   }
+  if (id == 1 && AnsweredRequest(line) == 0) {
+    throw SubjectDoesNotRun(
+        subject,
+        "its first line is " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " 1\"",
+        "standard output is for answers alone: write a greeting or a log to "
+        "standard error");
+  }
   BreakDown("it answered " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " " +
             std::to_string(id) + "\" (was a line left over from an earlier answer?)");
 }

@@ -96,8 +96,8 @@ def judged(fault):
              if name not in own | {"none", "not found"}
              and (name == "earlier-draws" or not text.startswith("no suspect"))]  # fmt: skip
     claimed = {name for name, _ in named} & own
-    if not named:
-        verdict = "NO LINE"
+    if not named:  # what is not deterministic has no counterexample
+        verdict = "none"
     elif named[0][0] == "not found":
         verdict = "NOT FOUND"
     elif wrong:
@@ -118,7 +118,7 @@ def main():
         for fault, verdict, text in pool.map(judged, faults):
             kind = "pair" if " " in fault else "single"
             counts[kind, verdict] += 1
-            if verdict in ("WRONG", "NOT FOUND", "NO LINE"):
+            if verdict in ("WRONG", "NOT FOUND"):
                 failed.append(f"{fault}: {text}")
             if "--table" in sys.argv:
                 print(f"| {fault} | {' '.join(sorted(names(fault)))} | {verdict} | {text} |",

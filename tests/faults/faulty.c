@@ -68,7 +68,9 @@ static int64_t snapped(double x, int is_y) {
   return (int64_t)nearbyint(steps);
 }
 
-static double limited(double x, double low, double high) { return x < low ? low : x > high ? high : x; }
+static double limited(double x, double low, double high) {
+  return x < low ? low : x > high ? high : x;
+}
 
 static Point placed(const double* at, const rasterproof_scene* scene) {
   double x = at[0], y = at[1];
@@ -91,7 +93,11 @@ static int64_t product(int64_t a, int64_t b) {
 
 /* Bits that every value has, 64 if none is planted. */
 static int bits_of_all(void) {
-  return is("int32-all") ? 32 : is("int24-all") ? 24 : is("int28-all") ? 28 : is("int33-all") ? 33 : 64;
+  return is("int32-all")   ? 32
+         : is("int24-all") ? 24
+         : is("int28-all") ? 28
+         : is("int33-all") ? 33
+                           : 64;
 }
 
 static int sign_of_float(float e) { return (e > 0) - (e < 0); }
@@ -185,19 +191,23 @@ static int is_lost(const Triangle* t) {
   const int64_t wide = most(t, 0) - least(t, 0), high = most(t, 1) - least(t, 1);
   const double area = fabs((double)value(t->v[0], t->v[1], t->v[2])) / 2 / kUnits / kUnits;
   const double far = fmax(fmax(fabs((double)least(t, 0)), fabs((double)most(t, 0))),
-                          fmax(fabs((double)least(t, 1)), fabs((double)most(t, 1)))) / kUnits;
+                          fmax(fabs((double)least(t, 1)), fabs((double)most(t, 1)))) /
+                     kUnits;
   if (is("lost-small") && area < 0.5) return 1;
   if (is("lost-tiny") && area < 1.0 / 64) return 1;
   if (is("lost-box-of-a-pixel") && wide < kUnits && high < kUnits) return 1;
   if (is("lost-narrow") && (wide < kUnits / 4 || high < kUnits / 4)) return 1;
   /* Between whole pixels, where centres are meant. */
-  if (is("lost-between-corners") && (floored(least(t, 0)) == floored(most(t, 0)) ||
-                                     floored(least(t, 1)) == floored(most(t, 1))))
+  if (is("lost-between-corners") &&
+      (floored(least(t, 0)) == floored(most(t, 0)) || floored(least(t, 1)) == floored(most(t, 1))))
     return 1;
-  if (is("lost-thin") && area / fmax(1e-9, fmax((double)wide, (double)high) / kUnits) < 1.0 / 32) return 1;
+  if (is("lost-thin") && area / fmax(1e-9, fmax((double)wide, (double)high) / kUnits) < 1.0 / 32)
+    return 1;
   if (is("lost-far") && far > 4096) return 1;
   if (is("lost-from-16") && t->number >= 16) return 1;
-  if (is("lost-by-hash") && ((uint64_t)(t->v[0].x * 31 + t->v[1].y * 17 + t->v[2].x) * 2654435761U >> 7) % 7 == 0) return 1;
+  if (is("lost-by-hash") &&
+      ((uint64_t)(t->v[0].x * 31 + t->v[1].y * 17 + t->v[2].x) * 2654435761U >> 7) % 7 == 0)
+    return 1;
   if (is("lost-each-third") && t->number % 3 == 2) return 1;
   if (is("lost-behind-half") && t->given[0][2] > 0.5) return 1;
   if (is("culls-back") && t->is_back) return 1;
@@ -253,15 +263,16 @@ static Box box_of(const Triangle* t, const rasterproof_scene* scene) {
   int64_t y0 = floored(least(t, 1)), y1 = floored(most(t, 1)) + 1;
   if (is("box-ends-early-x")) x1 -= 1;
   if (is("box-ends-early-y")) y1 -= 1;
-  if (is("box-begins-late")) x0 = floored(least(t, 0) + kUnits - 1), y0 = floored(least(t, 1) + kUnits - 1);
+  if (is("box-begins-late"))
+    x0 = floored(least(t, 0) + kUnits - 1), y0 = floored(least(t, 1) + kUnits - 1);
   if (is("box-row-lost")) y0 += 1;
   const Box box = {within(x0, scene->width), within(y0, scene->height), within(x1, scene->width),
                    within(y1, scene->height)};
   return box;
 }
 
-static void count(const Triangle* t, int32_t x, int32_t row, uint32_t n, const rasterproof_scene* scene,
-                  const rasterproof_target* target) {
+static void count(const Triangle* t, int32_t x, int32_t row, uint32_t n,
+                  const rasterproof_scene* scene, const rasterproof_target* target) {
   if (is("upside-down")) row = scene->height - 1 - row;
   const int is_back = is("exchanged") ? !t->is_back : is("all-front") ? 0 : t->is_back;
   uint32_t* const counts = is_back ? target->back : target->front;
@@ -302,7 +313,7 @@ static void draw_triangle(const Triangle* t, const rasterproof_scene* scene,
       if (is("block-rejected") && block(t, x, row) < 0) covered = 0;
       if (budget != NULL) {
         uint8_t* const left = budget + (row / 8 * 1024 + x / 8) % 65536;
-        if (x % 8 == 0 || x == box.x0) *left += *left < 255;
+        if (x % 8 == 0 || x == box.x0) *left = (uint8_t)(*left + (*left < 255));
         if (*left > 24) covered = 0;
       }
       const uint32_t n = covered ? times(t, x, row, scene) : 0;
@@ -382,14 +393,16 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
     draw_triangle(&t, scene, target, is("budget-of-a-tile") ? budget : NULL);
     last = t;
   }
-  if (is("race") && chance() % 4 == 0 && scene->triangle_count > 0)
-    target->front[chance() % (target->stride * (size_t)scene->height)] += 1;
-  if (is("garbage")) {
-    for (size_t k = 0; k < target->stride * (size_t)scene->height; ++k)
-      target->front[k] = (uint32_t)(chance() % 3);
-  }
-  if (is("fills-all")) {
-    for (size_t k = 0; k < target->stride * (size_t)scene->height; ++k) target->front[k] = 1;
+  const int by_chance = is("race") && chance() % 4 == 0;
+  const uint64_t hit =
+      by_chance ? chance() % ((uint64_t)scene->width * (uint64_t)scene->height) : 0;
+  for (int32_t row = 0; row < scene->height; ++row) {
+    for (int32_t x = 0; x < scene->width; ++x) {
+      uint32_t* const at = target->front + (size_t)row * target->stride + (size_t)x;
+      if (is("garbage")) *at = (uint32_t)(chance() % 3);
+      if (is("fills-all")) *at = 1;
+      if (by_chance && hit == (uint64_t)row * (uint64_t)scene->width + (uint64_t)x) ++*at;
+    }
   }
   return 0;
 }

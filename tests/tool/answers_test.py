@@ -63,6 +63,25 @@ class PipesLaidByHand(unittest.TestCase):
                         text = run("pipe", "judge", *chosen, data=b"".join(said_so)).stdout.decode()
                         self.assertIn(f": {held - 1} cases held, {counts}", text)
 
+    def test_programs_are_asked_by_hand_for_what_they_are_asked_for_otherwise(self):
+        # In no other floating-point mode, which is the affair of hosted libraries.
+        asked = run("pipe", "ask", "--property", "EnvironmentKeepsCoverage", "--cases", "8")
+        self.assertEqual(asked.returncode, 4, asked.stdout)
+        self.assertNotIn(b"float=", asked.stdout)
+        asked = run("pipe", "ask", "--profile", "vulkan", "--cases", "2")
+        self.assertEqual(asked.returncode, 4, asked.stdout)
+        self.assertRegex(asked.stderr, rb"properties that ask: [A-Z][A-Za-z]+, ")
+
+    def test_a_greeting_is_no_violation(self):
+        with tempfile.TemporaryDirectory() as folder:
+            greets = os.path.join(folder, "greets.py")
+            with open(greets, "w", encoding="utf-8") as file:
+                file.write("print('Mine 1.0', flush=True)\nimport sys\nsys.stdin.read()\n")
+            done = run("check", "--exec", f"{sys.executable} {greets}", "--cases", "3")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertIn(b'its first line is "Mine 1.0", not "counts 1"; standard output is for',
+                      done.stderr)  # fmt: skip
+
     def test_more_answers_than_requests_are_reported_by_their_line(self):
         chosen = ("--property", STAYS_INSIDE, "--cases", "8")
         requests = run("pipe", "ask", *chosen).stdout

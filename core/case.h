@@ -15,7 +15,8 @@ struct Case {
   Scene scene;
   Profile profile;
   DrawOptions options;
-  /// Where it came from: the name of a drawn case, "needles:17@1", a file. For the reader only.
+  /// Where it came from: the name of a drawn case, "needles:17@1", or a file. One property goes by
+  /// a drawn case's number: LargeTargetIsCoveredLikeASmallOne, which draws scenes of its own.
   std::string origin;
 
   friend bool operator==(const Case&, const Case&) = default;

@@ -36,6 +36,10 @@ bool IsDrawn(const std::array<Vertex, 3>& v) { return std::ranges::all_of(v, IsF
 }  // namespace
 
 double SnapQuotient(double x, double w, const Snap& snap) {
+  if (!(w > 0)) {
+    throw InputError("vertex", "with w <= 0 it has no position to snap",
+                     "clip the scene in front of the eye");
+  }
   const double steps = std::ldexp(x / w, snap.bits);
   if (!HasGridPoint(x, w, snap)) throw QuotientError();
   // Every rule changes its answer only at multiples of half a step. The quotient is off by at most

@@ -135,8 +135,8 @@ static void rasterproof_malformed(void) {
   exit(1);
 }
 
-/* The number that a request has, whatever the program's locale writes in place of a point: a test or
- * a toolkit may have called setlocale(LC_ALL, ""). */
+/* The number that a request has, whatever the program's locale writes in place of a point: a test
+ * or a toolkit may have called setlocale(LC_ALL, ""). */
 static double rasterproof_number(const char* word) {
   char local[600];
   const char* const point = localeconv()->decimal_point;

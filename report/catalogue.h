@@ -16,7 +16,7 @@ struct CatalogueCell {
   std::uint64_t wrong = 0;  ///< of these, with a wrong sample
   std::uint64_t samples = 0;
   std::uint64_t wrong_samples = 0;
-  double worst_pixels = 0;  ///< furthest displacement of a wrong sample; infinite: it broke down
+  double worst_pixels = 0;  ///< of the first 64 wrong samples of a case; infinite: it broke down
   std::string worst_case;   ///< the name of its case
   std::uint64_t excused = 0;
   std::string why;  ///< of the first excused case, or how the subject broke down

@@ -1,4 +1,4 @@
-// Pictures of pixels: what explain and render show.
+// Pictures of pixels: what explain, coverage --png and legal --decided --png show.
 #ifndef RASTERPROOF_REPORT_PICTURE_H_
 #define RASTERPROOF_REPORT_PICTURE_H_
 

@@ -1,4 +1,5 @@
-// The verbs of the command, each with what its options say. main.cc parses, cmd_*.cc do the work.
+// The verbs of the command, each with what its options say. command_line.cc parses, and cmd_*.cc do
+// the work.
 #ifndef RASTERPROOF_TOOL_COMMANDS_H_
 #define RASTERPROOF_TOOL_COMMANDS_H_
 

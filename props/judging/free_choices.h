@@ -27,8 +27,8 @@ class ClippedEdges {
  public:
   /// None.
   ClippedEdges() = default;
-  /// Domain:     window space. Elsewhere, and where the profile states that clipped meshes stay
-  ///             whole (MovesClippedEdges), there are none.
+  /// Domain:     window space. Elsewhere, and where vertices that clipping makes do not move
+  ///             (MovesClippedEdges is false), there are none.
   explicit ClippedEdges(const PlacedCase& c);
 
   bool MayDecide(Point2 p) const {

@@ -31,8 +31,9 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property);
 /// Returns:    a multiple of 1000 below 10^7, by the property's name alone.
 std::uint64_t FirstIndex(std::string_view property);
 
-/// The name of what a run over these domains (at least one) takes as its case `number`: of domain
-/// number % n, the next one from `first` on that the run has not had of it. Worked out from
+/// The name of what a run over these domains (at least one) takes as its case `number`, chosen
+/// cases apart (props/run/first_cases.cc): of domain number % n, the next one from `first` on that
+/// the run has not had of it. Worked out from
 /// `number` alone, so that shards and replays agree, and different for different numbers, however
 /// often a domain is listed.
 CaseName NameOfCase(const std::vector<const Domain*>& domains, std::uint64_t first,

@@ -1,7 +1,7 @@
-/* A rasterizer in plain C with faults that are chosen by name: RASTERPROOF_FAULT="int32-all" or two,
- * "ties-inclusive+lost-small". It shares nothing with the suspects of props/cause, which are held to
- * name these faults, or none (tests/faults/causes_test.py). Sound without a fault: 8 subpixel bits,
- * nearest-even, top-left.
+/* A rasterizer in plain C with faults that are chosen by name in RASTERPROOF_FAULT, as "int32-all"
+ * or, two, "truncates+lost-small". It shares nothing with the suspects of props/cause, which are
+ * held to name these faults, or none (tests/faults/causes_test.py). Sound without a fault: 8
+ * subpixel bits, nearest-even, top-left.
  */
 #define _POSIX_C_SOURCE 199309L
 #include <math.h>
@@ -46,7 +46,7 @@ static int64_t wrapped(int64_t value, int bits) {
   return (int64_t)((uint64_t)value << (64 - bits)) >> (64 - bits);
 }
 
-/* ---- vertices ---------------------------------------------------------------------------------- */
+/* ---- vertices ------------------------------------------------------------------------------- */
 
 static int64_t snapped(double x, int is_y) {
   const double steps = x * kUnits;
@@ -83,7 +83,7 @@ static Point placed(const double* at, const rasterproof_scene* scene) {
   return p;
 }
 
-/* ---- edges ------------------------------------------------------------------------------------- */
+/* ---- edges ---------------------------------------------------------------------------------- */
 
 static int64_t product(int64_t a, int64_t b) {
   const int64_t ab = a * b;
@@ -173,7 +173,7 @@ static int sign_of_area(const Triangle* t) {
   return (e > 0) - (e < 0);
 }
 
-/* ---- triangles that are left out --------------------------------------------------------------- */
+/* ---- triangles that are left out ------------------------------------------------------------ */
 
 static int64_t least(const Triangle* t, int y) {
   int64_t n = INT64_MAX;
@@ -215,7 +215,7 @@ static int is_lost(const Triangle* t) {
   return 0;
 }
 
-/* ---- samples ----------------------------------------------------------------------------------- */
+/* ---- samples -------------------------------------------------------------------------------- */
 
 static int covers(const Triangle* t, Point p, Point first) {
   if (is("lost-on-vertices")) {

@@ -184,25 +184,6 @@ class BadInputTest(TemporaryFolder):
         for name in [names] if isinstance(names, str) else names:
             self.assertIn(name, result.stderr.decode())
 
-    def test_what_is_nearly_right_is_told(self):
-        self.refused("check", "--caes", "5", names="did you mean --cases?")
-        self.refused("list", "mutnts", names="did you mean mutants?")
-        self.refused("check", "--cases", "ten", names="ten is no number above 0")
-        self.refused("check", "--subject", "lib/mine.so", names="--plugin lib/mine.so")
-        self.refused("check", "--fp-env", names="ftz,daz,up,down,zero,trap")
-        self.refused("check", "--profile", "watertight", "--subject", "i64-snap8",
-                     names="it is a contract: write '{\"contract\": \"watertight\"}'")
-        self.refused("coverage", "-", "--png", "x.jpg", data=json.dumps(self.GOOD).encode(),
-                     names="name it .png or .ppm")
-        self.refused("coverage", "-", data=b'{"rasterproof_scene": 1, "width": NaN}',
-                     names='write "nan", "inf" or "-inf"')
-
-    def test_a_profile_may_be_its_text_and_the_last_of_an_option_counts(self):
-        done = run("check", "--subject", "i64-snap8", "--property", "DegenerateTrianglesCoverNothing",
-                   "--profile", '{"subpixel_bits": 8}', "--cases", "500", "--cases", "7")
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertIn(b" 7 cases", done.stdout)
-
     def refused_scene(self, text, *fragments):
         path = self.write(text)
         for verb in ("coverage", "plan", "check"):

@@ -28,6 +28,31 @@ class Names(unittest.TestCase):
         self.assertEqual(done.stdout, "")
         return done.stderr
 
+    def told(self, *arguments):
+        """Refuses all but the last of them, which its message has."""
+        self.assertIn(arguments[-1], self.refused(*arguments[:-1]))
+
+    def test_what_is_nearly_right_is_told(self):
+        self.told("check", "--caes", "5", "did you mean --cases?")
+        self.told("list", "mutnts", "did you mean mutants?")
+        self.told("check", "--cases", "ten", "ten is no number above 0")
+        self.told("check", "--subject", "lib/mine.so", "--plugin lib/mine.so")
+        self.told("check", "--fp-env", "ftz,daz,up,down,zero,trap")
+        self.told("check", "--profile", "watertight", "--subject", "i64-snap8",
+                     "it is a contract: write '{\"contract\": \"watertight\"}'")
+        self.told("coverage", SCENE, "--png", "x.jpg", "name it .png or .ppm")
+        with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
+            file.write('{"rasterproof_scene": 1, "width": NaN}')
+            file.flush()
+            self.told("coverage", file.name, 'write "nan", "inf" or "-inf"')
+
+    def test_a_profile_may_be_its_text_and_the_last_of_an_option_counts(self):
+        done = run("check", "--subject", "i64-snap8", "--profile",
+                   '{"name": "mine", "subpixel_bits": 8}', "--property",
+                   "DegenerateTrianglesCoverNothing", "--cases", "500", "--cases", "7")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn(" 7 cases", done.stdout)
+
     def test_no_name_decides_by_its_beginning(self):
         for name in ("exactt", "exact-", "exact:canonical", "exact-integer"):
             for verb in (("coverage", SCENE, "--subject", "f32-direct", "--against", name),

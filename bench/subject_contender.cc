@@ -235,8 +235,21 @@ class ProgramContender final : public SubjectContender {
       conversion_seconds_ = SlopeOf(Job(empty_), 1).seconds / Triangles();
     }
     draws_ = 1;
-    if (one > kLong || method_.times_requests) return;
-    while (draws_ < kMostDraws && TimeOf(Job(scene_), draws_).wall_seconds < one + kEnough) {
+    if (method_.times_requests) return;
+    // What draws have in common, a request's words and its answer's, may be most of the time.
+    const double enough = std::max(one + kEnough, kResolved * one);
+    const auto takes_longer = [&](int draws) {
+      return TimeOf(Job(scene_), draws).wall_seconds >= enough;
+    };
+    if (one > kLong && takes_longer(kFewDraws)) return;
+    while (!takes_longer(draws_)) {
+      if (draws_ == kMostDraws) {
+        throw SubjectStop(Stop::kNotDrawable,
+                          "its answer to " + std::to_string(kMostDraws) +
+                              " draws takes no longer than to one: it says 'takes repeats' and "
+                              "draws once, or a draw is nothing beside its request; leave out "
+                              "'repeats', or give larger scenes");
+      }
       draws_ *= 2;
     }
   }
@@ -247,6 +260,8 @@ class ProgramContender final : public SubjectContender {
   static constexpr double kLong = 0.25;    // seconds of one draw from which on no more are asked
   static constexpr double kEnough = 0.01;  // that k draws take beyond what they have in common
   static constexpr int kMostDraws = 1024;
+  static constexpr int kFewDraws = 4;
+  static constexpr double kResolved = 1.5;  // times what one draw takes that some must take
 
   DrawTime SlopeOf(const DrawJob& job, int draws) {
     constexpr std::array<int, 3> kTimes{1, 2, 4};

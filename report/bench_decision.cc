@@ -87,6 +87,15 @@ RowError ErrorOf(const BenchResult& result, const BenchRow& row, ErrorKind kind)
   return {};
 }
 
+std::string RatioText(const BenchRow& row, int digits) {
+  const Interval& ratio = row.ratio;
+  if (!HasInterval(row))
+    return fmt::format("{:.{}g} ({} round{})", ratio.median, digits, row.seconds.size(),
+                       row.seconds.size() == 1 ? "" : "s");
+  return fmt::format("{:.{}g} [{:.{}g}, {:.{}g}]", ratio.median, digits, ratio.low, digits,
+                     ratio.high, digits);
+}
+
 bool IsBaselineAgain(const BenchResult& result, const BenchRow& row) {
   const BenchFamily& family = result.families[row.family];
   return row.method == family.twin && family.twin != family.baseline;

@@ -51,6 +51,13 @@ std::uint64_t WrongBesideEdges(const BenchRow& row, const BenchErrors& errors);
 /// Whether the row is the baseline measured a second time: the floor of the noise, and no method.
 bool IsBaselineAgain(const BenchResult& result, const BenchRow& row);
 
+/// Returns whether the row was drawn in six rounds or more: of fewer no interval holds the median
+/// with 95 %.
+inline bool HasInterval(const BenchRow& row) { return row.seconds.size() >= 6; }
+
+/// Returns "1.23 [1.1, 1.4]", its ratio with the interval, or "1.23 (3 rounds)" where it has none.
+std::string RatioText(const BenchRow& row, int digits);
+
 /// Whether the row counts: judged, inside its method's coordinate limit, under 1 % wrong, and no
 /// baseline that was measured again. A wrong answer is often fast.
 bool IsRival(const BenchResult& result, const BenchRow& row);

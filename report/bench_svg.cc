@@ -27,8 +27,6 @@ constexpr int kColumns = 3;
 // The lanes of zero lie below the axis of rates.
 constexpr double kRateHeight = 116;
 constexpr double kLeastRate = 1e-7;
-constexpr double kLeastRatio = 1e-3;
-constexpr double kMostRatio = 10;
 
 struct Kind {
   std::string_view name;
@@ -41,10 +39,28 @@ constexpr std::array<Kind, 5> kKinds{{{"float32", "#0072b2"},
                                       {"exact", "#009e73"},
                                       {"yours", "#d55e00"}}};
 
-double XOf(double ratio) {
-  const double at = std::log(std::clamp(ratio, kLeastRatio, kMostRatio) / kLeastRatio) /
-                    std::log(kMostRatio / kLeastRatio);
-  return kLeft + at * kPlotWidth;
+// The decades that hold every ratio, the same in all panels; at least those from a tenth to ten.
+struct RatioAxis {
+  int least = -1;
+  int most = 1;
+
+  double XOf(double ratio) const {
+    const double at = (std::log10(std::max(ratio, 1e-300)) - least) / (most - least);
+    return kLeft + std::clamp(at, 0.0, 1.0) * kPlotWidth;
+  }
+};
+
+RatioAxis AxisOf(const BenchResult& result) {
+  RatioAxis axis;
+  for (const BenchRow& row : result.rows) {
+    if (result.methods[row.method].sink != kCommonSink) continue;
+    for (const double ratio : {row.ratio.low, row.ratio.median, row.ratio.high}) {
+      if (!(ratio > 0) || !std::isfinite(ratio)) continue;
+      axis.least = std::min(axis.least, static_cast<int>(std::floor(std::log10(ratio))));
+      axis.most = std::max(axis.most, static_cast<int>(std::ceil(std::log10(ratio))));
+    }
+  }
+  return axis;
 }
 
 double YOf(const BenchResult& result, const BenchRow& row) {
@@ -92,10 +108,9 @@ std::string Text(double x, double y, std::string_view anchor, std::string_view t
 std::string Title(const BenchResult& result, const BenchRow& row) {
   const BenchMethod& method = result.methods[row.method];
   return fmt::format(
-      "{} ({}): {:.3g} [{:.3g}, {:.3g}] of the baseline's time, {:.4g} ns a "
-      "triangle; {} of {} pairs wrong",
-      method.name, method.target, row.ratio.median, row.ratio.low, row.ratio.high,
-      NanosecondsATriangle(result, row), WrongBesideEdges(row, row.real), row.boundary_pairs);
+      "{} ({}): {} of the baseline's time, {:.4g} ns a triangle; {} of {} pairs wrong", method.name,
+      method.target, RatioText(row, 3), NanosecondsATriangle(result, row),
+      WrongBesideEdges(row, row.real), row.boundary_pairs);
 }
 
 // A sentence at its last blank that leaves the first line short enough for a panel.
@@ -107,15 +122,17 @@ std::pair<std::string, std::string> InTwoLines(const std::string& sentence) {
   return {sentence.substr(0, blank), sentence.substr(blank + 1)};
 }
 
-std::string Axes(const BenchFamily& family) {
+std::string Axes(const BenchFamily& family, const RatioAxis& axis) {
   std::string svg = Text(kLeft, 18, "start", family.name, "font-weight=\"600\" font-size=\"14\"");
   const auto [first, second] = InTwoLines(family.summary);
   svg += Text(kLeft, 33, "start", first, "class=\"soft\"");
   svg += Text(kLeft, 46, "start", second, "class=\"soft\"");
   const double bottom = kTop + kPlotHeight;
-  for (const double ratio : {0.001, 0.01, 0.1, 1.0, 10.0}) {
-    svg += fmt::format("<path class=\"grid\" d=\"M{:.1f} {}V{}\"/>\n", XOf(ratio), kTop, bottom);
-    svg += Text(XOf(ratio), bottom + 14, "middle", fmt::format("{}", ratio), "class=\"soft\"");
+  for (int decade = axis.least; decade <= axis.most; ++decade) {
+    const double ratio = std::pow(10, decade);
+    const double x = axis.XOf(ratio);
+    svg += fmt::format("<path class=\"grid\" d=\"M{:.1f} {}V{}\"/>\n", x, kTop, bottom);
+    svg += Text(x, bottom + 14, "middle", fmt::format("{:g}", ratio), "class=\"soft\"");
   }
   for (const auto& [share, name] :
        {std::pair{1.0, "100 %"}, {1e-2, "1 %"}, {1e-4, "100 / M"}, {1e-6, "1 / M"}}) {
@@ -132,23 +149,42 @@ std::string Axes(const BenchFamily& family) {
   return svg;
 }
 
-std::string Point(const BenchResult& result, const BenchRow& row) {
+std::string Point(const BenchResult& result, const BenchRow& row, const RatioAxis& axis) {
   const double y = YOf(result, row);
+  const std::string bar = HasInterval(row)
+                              ? fmt::format("<path class=\"bar\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>",
+                                            axis.XOf(row.ratio.low), y, axis.XOf(row.ratio.high))
+                              : "";
   return fmt::format(
-      "<g><title>{}</title><path class=\"bar\" d=\"M{:.1f} {:.1f}H{:.1f}\"/>{}</g>\n",
-      Escaped(Title(result, row)), XOf(row.ratio.low), y, XOf(row.ratio.high),
-      Mark(result.methods[row.method].kind, XOf(row.ratio.median), y, !IsRival(result, row)));
+      "<g><title>{}</title>{}{}</g>\n", Escaped(Title(result, row)), bar,
+      Mark(result.methods[row.method].kind, axis.XOf(row.ratio.median), y, !IsRival(result, row)));
 }
 
-// Those that are numbered and named: the cheapest of the frontier, and its least wrong.
-std::vector<const BenchRow*> Named(std::vector<const BenchRow*> frontier) {
+// Those that are numbered and named: the cheapest of the frontier, and its least wrong; the user's
+// own in place of others.
+std::vector<const BenchRow*> Named(const BenchResult& result, std::uint32_t family,
+                                   std::vector<const BenchRow*> frontier) {
   constexpr std::size_t kMost = 4;
-  if (frontier.size() > kMost) frontier.erase(frontier.begin() + kMost - 1, frontier.end() - 1);
+  std::vector<const BenchRow*> own;
+  for (const BenchRow& row : result.rows) {
+    const BenchMethod& method = result.methods[row.method];
+    const bool is_new = std::ranges::find(frontier, &row) == frontier.end();
+    if (row.family == family && method.is_users && method.sink == kCommonSink && is_new)
+      own.push_back(&row);
+  }
+  own.resize(std::min(own.size(), kMost - 1));
+  const std::size_t room = kMost - own.size();
+  if (frontier.size() > room) {
+    const auto first = frontier.begin() + static_cast<std::ptrdiff_t>(room) - 1;
+    frontier.erase(first, frontier.end() - 1);
+  }
+  frontier.insert(frontier.end(), own.begin(), own.end());
   return frontier;
 }
 
 // Numbers beside points, each where it meets none before it.
-std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*>& named) {
+std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*>& named,
+                    const RatioAxis& axis) {
   constexpr std::array<std::array<double, 2>, 8> kPlaces{
       {{0, -7}, {0, 15}, {9, 3}, {-9, 3}, {9, -7}, {-9, -7}, {9, 15}, {-9, 15}}};
   std::vector<std::array<double, 2>> taken;
@@ -156,7 +192,7 @@ std::string Numbers(const BenchResult& result, const std::vector<const BenchRow*
   for (std::size_t k = 0; k < named.size(); ++k) {
     std::array<double, 2> at{};
     for (const auto& [dx, dy] : kPlaces) {
-      at = {XOf(named[k]->ratio.median) + dx, YOf(result, *named[k]) + dy};
+      at = {axis.XOf(named[k]->ratio.median) + dx, YOf(result, *named[k]) + dy};
       const bool is_free = std::ranges::none_of(taken, [&](const std::array<double, 2>& other) {
         return std::abs(other[0] - at[0]) < 8 && std::abs(other[1] - at[1]) < 12;
       });
@@ -189,12 +225,13 @@ constexpr std::string_view kStyle =
 }  // namespace
 
 std::string BenchPanel(const BenchResult& result, std::uint32_t family, PanelPoints which) {
-  std::string svg = Axes(result.families[family]);
+  const RatioAxis axis = AxisOf(result);
+  std::string svg = Axes(result.families[family], axis);
   const std::vector<const BenchRow*> frontier =
       Frontier(result, family, kCommonSink, ErrorKind::kReal);
   std::string path;
   for (const BenchRow* row : frontier) {
-    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", XOf(row->ratio.median),
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", axis.XOf(row->ratio.median),
                         YOf(result, *row));
   }
   if (frontier.size() > 1) svg += fmt::format("<path class=\"front\" d=\"{}\"/>\n", path);
@@ -203,9 +240,10 @@ std::string BenchPanel(const BenchResult& result, std::uint32_t family, PanelPoi
     const bool is_shown =
         which == PanelPoints::kAll || std::ranges::find(frontier, &row) != frontier.end();
     if (is_here && row.is_judged && is_shown && !IsBaselineAgain(result, row))
-      svg += Point(result, row);
+      svg += Point(result, row, axis);
   }
-  return svg + Numbers(result, Named(frontier)) + NamesBelow(result, Named(frontier));
+  const std::vector<const BenchRow*> named = Named(result, family, frontier);
+  return svg + Numbers(result, named, axis) + NamesBelow(result, named);
 }
 
 std::string BenchToSvg(const BenchResult& result) {

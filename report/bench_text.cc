@@ -94,8 +94,7 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
                        "gaps", "over", "drawing");
   for (const BenchRow* row : RowsOf(result, at)) {
     const BenchMethod& method = result.methods[row->method];
-    const std::string ratio =
-        fmt::format("{:.3f} [{:.3f}, {:.3f}]", row->ratio.median, row->ratio.low, row->ratio.high);
+    const std::string ratio = RatioText(*row, 4);
     table += fmt::format("  {:<28} {:<8} {:<7} {:>10.1f} {:>22}", method.name, method.target,
                          method.sink, NanosecondsATriangle(result, *row), ratio);
     if (!row->is_judged) {

@@ -16,7 +16,7 @@ import tempfile
 PROGRAM, LIBRARY = (os.path.abspath(path) for path in sys.argv[1:3])
 MORE = os.environ.get("RASTERPROOF_MORE", "") not in ("", "0")
 CASES = "60"
-# A circumstance says that no suspect explains it, and is no claim; that earlier draws matter is one.
+# A circumstance says that no suspect explains it, and is no claim; earlier draws are one.
 # Of each fault the sections of docs/causes.md that are right; none: no suspect is made for it.
 SINGLE = {
     "truncates": "truncation", "truncates-y": "truncation", "floors": "truncation",

@@ -51,49 +51,50 @@ class SurveySectionTest : public testing::Test {
   std::string folder_ = testing::TempDir() + "surveys-" + std::to_string(getpid());
 };
 
-bool Has(std::string_view text, std::string_view what) {
+bool PageHas(std::string_view text, std::string_view what) {
   return text.find(what) != std::string_view::npos;
 }
 
 TEST_F(SurveySectionTest, ShowsEveryCountAndCase) {
   const std::string html = Of(kSurvey);
   for (int count = 101; count <= 114; ++count) {
-    EXPECT_TRUE(Has(html, ">" + std::to_string(count) + "</td>")) << count;
+    EXPECT_TRUE(PageHas(html, ">" + std::to_string(count) + "</td>")) << count;
   }
   // Of the sum: wrong in range and near limits, refused, triangles a second, ours of the time.
   for (const char* said : {">0</td><td class=\"number wrong\">107</td>", ">107</td>", ">420</td>",
                            ">75 %</td>", ">NAME<", ">a library<", ">preset vulkan<", ">8 bits<",
                            ">9 of 307<", ">no model fits<", ">near its limits<", ">in range<",
                            ">fans:17@1: end signal 11<", ">target 7 x 9\n(0x1.8p-4, 0x0p+0)"}) {
-    EXPECT_TRUE(Has(html, said)) << said;
+    EXPECT_TRUE(PageHas(html, said)) << said;
   }
 }
 
 TEST_F(SurveySectionTest, SaysWhereNoModelIsWrongAndWhereNoneWasFound) {
-  EXPECT_TRUE(Has(
+  EXPECT_TRUE(PageHas(
       Of(Changed("\"samples\": 307, \"experiments\": 12,\n          \"remark\": \"no model fits\"",
                  "\"samples\": 0, \"experiments\": 12, \"remark\": \"\"")),
       ">0, in 12 draws<"));
-  EXPECT_TRUE(Has(Of(Changed("307", "0")), ">not found<"));
-  EXPECT_TRUE(Has(Of(Changed("\"vulkan\"", R"({"name": "a", "contract": "none"})")), ">none, |x|"));
+  EXPECT_TRUE(PageHas(Of(Changed("307", "0")), ">not found<"));
+  EXPECT_TRUE(
+      PageHas(Of(Changed("\"vulkan\"", R"({"name": "a", "contract": "none"})")), ">none, |x|"));
 }
 
 TEST_F(SurveySectionTest, OfASubjectThatRefusedEverythingThereAreNoTimes) {
   std::string text(kSurvey);
   const std::size_t last = text.find(",\n  {\"domain\": \"fans\"");
   const std::string html = Of(text.replace(last, std::string::npos, "]}"));
-  EXPECT_TRUE(Has(html, "<td class=\"number\">–</td><td class=\"number\">–</td></tr>"));
+  EXPECT_TRUE(PageHas(html, "<td class=\"number\">–</td><td class=\"number\">–</td></tr>"));
 }
 
 TEST_F(SurveySectionTest, EscapesWhatOthersNamed) {
   for (const char* name :
        {"NAME", "a library", "8 bits", "no model", "near-edge", "fans:17@1", "signal 11"}) {
     const std::string html = Of(Changed(name, "<img src=x>"));
-    EXPECT_FALSE(Has(html, "<img")) << name;
-    EXPECT_TRUE(Has(html, "&lt;img")) << name;
+    EXPECT_FALSE(PageHas(html, "<img")) << name;
+    EXPECT_TRUE(PageHas(html, "&lt;img")) << name;
   }
   Put("absent.txt", "<img src=x>\n");
-  EXPECT_FALSE(Has(Of(kSurvey), "<img"));
+  EXPECT_FALSE(PageHas(Of(kSurvey), "<img"));
 }
 
 TEST_F(SurveySectionTest, ShowsAllOfTheFolderByNameAndWhoIsAbsent) {
@@ -101,8 +102,8 @@ TEST_F(SurveySectionTest, ShowsAllOfTheFolderByNameAndWhoIsAbsent) {
   Put("absent.txt", "subject c: gone\n");
   const std::string html = Of(Changed("NAME", "first"));
   EXPECT_LT(html.find("href=\"#survey-0\">first<"), html.find("href=\"#survey-1\">second<"));
-  EXPECT_TRUE(Has(html, "id=\"survey-1\""));
-  EXPECT_TRUE(Has(html, "subject c: gone"));
+  EXPECT_TRUE(PageHas(html, "id=\"survey-1\""));
+  EXPECT_TRUE(PageHas(html, "subject c: gone"));
 }
 
 TEST_F(SurveySectionTest, RefusesWhatIsNoSurvey) {

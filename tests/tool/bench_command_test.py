@@ -24,6 +24,11 @@ for line in iter(sys.stdin.readline, ""):
         continue
     for _ in range(int(words[6]) + int(words[7])):
         sys.stdin.readline()
+    if len(sys.argv) == 1:  # as often as it is told to
+        for word in words:
+            if word.startswith("repeats="):
+                for _ in range(int(word[8:])):
+                    sum(range(20000))
     row = " ".join(["0"] * (int(words[2]) * int(words[4]))) + "\\n"
     sys.stdout.write("counts " + words[1] + "\\n" + row * int(words[3]))
     sys.stdout.flush()
@@ -104,6 +109,19 @@ class Bench(unittest.TestCase):
         out = [one for one in result["left_out"] if one["method"] == "exec:false"]
         self.assertEqual(len(out), 1)
         self.assertIn("status 1", out[0]["why"])
+
+    def test_a_program_that_says_it_repeats_and_does_not_is_left_out(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "blank.py")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write(BLANK)
+            said = os.path.join(folder, "once.subject")
+            with open(said, "w", encoding="utf-8") as file:
+                file.write(f"command {sys.executable} {program} once\ntakes window repeats\n")
+            done = bench("--scene", "scenes/ties.json", *FEW, "--subject", said)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("is left out: its answer to 1024 draws takes no longer than to one",
+                      done.stdout)  # fmt: skip
 
     def test_a_plugin_that_crashes_is_left_out_and_ends_nothing(self):
         plugin = os.path.join(EXAMPLES, "../test_plugins/buggy_CRASH.so")

@@ -201,8 +201,8 @@ struct Profile {
 ///
 /// "real" (no snap), "d3d11-canonical", "vulkan-canonical" and "gl-canonical" (8 subpixel bits,
 /// nearest-even, top-left) name models. "d3d11", "vulkan", "gl" and "webgpu" name legal sets, which
-/// leave open what the specification leaves open. PresetNames() has all, those of several samples
-/// ("gl-4x") and of whole pixels ("voxel") too.
+/// leave open what the specification leaves open. io/profile_json.h lists all, those of
+/// several samples ("gl-4x") and of whole pixels ("voxel") too.
 ///
 /// Each name can end with "-2x", "-4x", "-8x" or "-16x", the number of samples in a pixel.
 /// Where the API's text leaves their positions open ("vulkan" without standardSampleLocations,

@@ -15,8 +15,9 @@ CMAKE = sys.argv[1]
 BUILD, SOURCES = (os.path.realpath(path) for path in sys.argv[2:4])
 CONSUMER = os.path.join(SOURCES, "tests/kit/consumer")
 HEADERS = ("kit/bitmap_plugin.h", "kit/filter_plugin.h", "kit/fuzz.h", "kit/gtest.h",
-           "kit/hard_scenes.h", "kit/plugin_server.h", "kit/rapidcheck.h", "kit/rasterize.h", "kit/rasterproof_oracle.h",
-           "kit/rasterproof_plugin.h", "kit/rasterproof_rasterize.h")  # fmt: skip
+           "kit/hard_scenes.h", "kit/plugin_server.h", "kit/rapidcheck.h", "kit/rasterize.h",
+           "kit/rasterproof_oracle.h", "kit/rasterproof_plugin.h",
+           "kit/rasterproof_rasterize.h")  # fmt: skip
 
 
 def run(*command, **options):

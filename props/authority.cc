@@ -30,8 +30,12 @@ std::string_view NameOf(FlatSquares flat) {
 bool SaysOtherwise(const ClauseKey& key, const std::optional<SquareRegion>& region) {
   if (key.key.ends_with(".relation")) return !region || NameOf(region->relation) != key.value;
   if (!key.key.ends_with(".half_width") || key.value.empty()) return false;
+  std::string_view value = key.value;
+  const bool is_hex = value.starts_with("0x");
+  if (is_hex) value.remove_prefix(2);
   double half_width = 0;
-  std::from_chars(key.value.data(), key.value.data() + key.value.size(), half_width);
+  std::from_chars(value.data(), value.data() + value.size(), half_width,
+                  is_hex ? std::chars_format::hex : std::chars_format::general);
   return !region || half_width != region->half_width;
 }
 

@@ -57,7 +57,7 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
                              "give it another one");
     throw SubjectStop(Stop::kRefused, refusal.what());
   }
-  if (id == 1 && AnsweredRequest(line) == 0) {
+  if (id == 1 && !line.empty() && AnsweredRequest(line) == 0) {
     throw SubjectDoesNotRun(
         subject,
         "its first line is " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " 1\"",

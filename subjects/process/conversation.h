@@ -136,7 +136,13 @@ class ProcessSubject::Child {
   void RequireSilence() {
     std::string more;
     if (!process_.HasUnread(more)) return;
-    if (!process_.WasTold()) BreakDown("it spoke before it was asked: " + Quoted(more, 60));
+    if (!process_.WasTold()) {
+      const std::string why = "it spoke before it was asked: " + Quoted(more, 60);
+      if (more.find('\n') == std::string::npos) BreakDown(why);
+      throw SubjectDoesNotRun("the program", why,
+                              "standard output is for answers alone: write a greeting or a log to "
+                              "standard error");
+    }
     BreakDown("it said more than its answer: " + Quoted(more, 60) +
               "; rows of back faces want `coverage facing-counts`");
   }

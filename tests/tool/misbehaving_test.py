@@ -130,11 +130,11 @@ class Misbehaving(unittest.TestCase):
         # Whether it has begun to speak when it is first asked is a matter of time.
         self.assertRegex(text, r"the most that a correct answer|before it was asked: \"(\\x00)+")
 
-    def test_a_program_that_speaks_before_it_was_asked_is_quoted(self):
+    def test_a_greeting_is_quoted_and_is_no_violation(self):
         # Whether it has begun to speak when it is first asked is a matter of time.
         status, text = self.start("greets").end()
-        self.assertEqual(status, 1, text)
-        self.assertRegex(text, r"(spoke before it was asked:|it answered) "
+        self.assertEqual(status, 2, text)
+        self.assertRegex(text, r"(spoke before it was asked:|its first line is) "
                                r'"hello\\x00\\x1b\[31m"')  # fmt: skip
 
     def test_answers_that_nobody_asked_for_are_reported_as_such(self):

@@ -210,6 +210,7 @@ std::vector<std::vector<Fitting>> Investigation::PartsOfAll() {
 
 // Several suspects, of which each wrong draw is one's: of faults that never meet in a draw.
 bool Investigation::FindParts() {
+  if (raced_ != observations_.size()) Race();  // sound for all that is known by now
   std::vector<std::vector<Fitting>> parts = PartsOfAll();
   const std::size_t known = wrong_;
   for (std::vector<Fitting>& part : parts) {

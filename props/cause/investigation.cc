@@ -61,6 +61,7 @@ bool Investigation::IsSound(Fitting& fitting) const {
 void Investigation::Race() {
   suspects_ = SuspectsOf(subject_->Info().profile);
   partly_.clear();
+  raced_ = observations_.size();
   stated_drew_.clear();
   for (std::size_t k = 0; k < wrong_; ++k)
     stated_drew_.push_back(DrawnBy(*stated_, observations_[k]));

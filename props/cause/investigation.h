@@ -91,9 +91,10 @@ class Investigation {
   std::vector<Suspect> suspects_;
   std::vector<Seen> stated_drew_;  // of the wrong ones, when the race began
   std::vector<Fitting> partly_;    // sound ones that reproduce some wrong draws
+  std::size_t raced_ = 0;          // observations when they were found
   std::set<std::size_t> open_;     // failures without a cause
-  std::map<std::size_t, Cause>
-      hints_;  // of failures: what draws alike, by too few scenes to be sure
+  // Of failures: what draws alike, by too few scenes to be sure.
+  std::map<std::size_t, Cause> hints_;
   Explanation found_;
 };
 

@@ -195,15 +195,17 @@ std::vector<std::vector<Fitting>> Investigation::PartsOfAll() {
     };
     const auto best = std::ranges::max_element(reproduced, {}, news);
     if (best == reproduced.end() || news(*best) == 0 || parts.size() == kMostCombined) return {};
-    const std::vector<bool> those = *best;
+    for (std::size_t k = 0; k < wrong_; ++k) left[k] = left[k] && !(*best)[k];
+    std::vector<bool> is_of_part;
+    for (const std::vector<bool>& of : reproduced) is_of_part.push_back(of == *best);
     std::vector<Fitting>& part = parts.emplace_back();
     for (std::size_t n = 0; n < partly_.size(); ++n) {
-      if (reproduced[n] == those) part.push_back(std::move(partly_[n]));
+      if (is_of_part[n]) part.push_back(std::move(partly_[n]));
     }
     std::size_t n = 0;
-    std::erase_if(partly_, [&](const Fitting&) { return reproduced[n++] == those; });
-    std::erase(reproduced, those);
-    for (std::size_t k = 0; k < wrong_; ++k) left[k] = left[k] && !those[k];
+    std::erase_if(partly_, [&](const Fitting&) { return is_of_part[n++]; });
+    n = 0;
+    std::erase_if(reproduced, [&](const std::vector<bool>&) { return is_of_part[n++]; });
   }
   return parts;
 }

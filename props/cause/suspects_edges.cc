@@ -21,8 +21,7 @@ constexpr int kNoSign = -2;
 
 template <class Number>
 int SignOf(Number n) {
-  if (n != n) return kNoSign;
-  return (n > 0) - (n < 0);
+  return n > 0 ? 1 : n < 0 ? -1 : n == 0 ? 0 : kNoSign;
 }
 
 bool IsLevel(const SuspectEdge& e) { return e.a.y == e.b.y; }

@@ -11,7 +11,8 @@
 
 #include "kit/rasterproof_plugin.h"
 
-enum { kUnits = 256, kHalf = 128 };
+enum { kUnits = 256, kHalf = 128 }; /* steps of a pixel, and of half of it */
+static const double kSteps = 256;
 
 static const char* chosen = "";
 
@@ -49,7 +50,7 @@ static int64_t wrapped(int64_t value, int bits) {
 /* ---- vertices ------------------------------------------------------------------------------- */
 
 static int64_t snapped(double x, int is_y) {
-  const double steps = x * kUnits;
+  const double steps = x * kSteps;
   if (is("truncates") || (is("truncates-y") && is_y)) return (int64_t)steps;
   if (is("floors")) return (int64_t)floor(steps);
   if (is("ceils")) return (int64_t)ceil(steps);
@@ -63,7 +64,7 @@ static int64_t snapped(double x, int is_y) {
   if (is("float16")) { /* 11 significant bits */
     int exponent = 0;
     const double mantissa = frexp(x, &exponent);
-    return (int64_t)nearbyint(ldexp(nearbyint(mantissa * 2048), exponent - 11) * kUnits);
+    return (int64_t)nearbyint(ldexp(nearbyint(mantissa * 2048), exponent - 11) * kSteps);
   }
   return (int64_t)nearbyint(steps);
 }
@@ -125,7 +126,7 @@ static int edge(const Triangle* t, int k, Point p, Point first) {
   if (is("float-affine") || is("float-affine-all")) return sign_of_float(affine(a, b, p));
   if (is("float-stepped")) {
     float e = direct(a, b, first);
-    const float step = (float)(b.y - a.y) * kUnits;
+    const float step = (float)(b.y - a.y) * (float)kSteps;
     for (int64_t x = first.x; x < p.x; x += kUnits) e += step;
     return sign_of_float(e);
   }
@@ -189,10 +190,10 @@ static int64_t floored(int64_t n) { return n >= 0 ? n / kUnits : -((-n + kUnits 
 
 static int is_lost(const Triangle* t) {
   const int64_t wide = most(t, 0) - least(t, 0), high = most(t, 1) - least(t, 1);
-  const double area = fabs((double)value(t->v[0], t->v[1], t->v[2])) / 2 / kUnits / kUnits;
+  const double area = fabs((double)value(t->v[0], t->v[1], t->v[2])) / 2 / kSteps / kSteps;
   const double far = fmax(fmax(fabs((double)least(t, 0)), fabs((double)most(t, 0))),
                           fmax(fabs((double)least(t, 1)), fabs((double)most(t, 1)))) /
-                     kUnits;
+                     kSteps;
   if (is("lost-small") && area < 0.5) return 1;
   if (is("lost-tiny") && area < 1.0 / 64) return 1;
   if (is("lost-box-of-a-pixel") && wide < kUnits && high < kUnits) return 1;
@@ -201,7 +202,7 @@ static int is_lost(const Triangle* t) {
   if (is("lost-between-corners") &&
       (floored(least(t, 0)) == floored(most(t, 0)) || floored(least(t, 1)) == floored(most(t, 1))))
     return 1;
-  if (is("lost-thin") && area / fmax(1e-9, fmax((double)wide, (double)high) / kUnits) < 1.0 / 32)
+  if (is("lost-thin") && area / fmax(1e-9, fmax((double)wide, (double)high) / kSteps) < 1.0 / 32)
     return 1;
   if (is("lost-far") && far > 4096) return 1;
   if (is("lost-from-16") && t->number >= 16) return 1;

@@ -77,6 +77,7 @@ constexpr auto kPlanted = std::to_array<Planted>({
     {"degenerate-repeated-index", ""},
     {"lost-1-in", ""},
     {"lost-", "lost-triangles"},
+    {"small-triangles-lost", "lost-triangles"},
     {"lost-at-vertices", "vertices"},
     {"doubled-on-middle-line", "counting"},
     {"cut-", "list"},

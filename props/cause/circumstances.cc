@@ -200,16 +200,16 @@ Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observat
                           [&](const Observation* o) { return toggling.IsAnsweredByChance(*o); })) {
     return with(one_thread) ? Circumstance{"threads", std::string(one_thread.what)} : by_chance;
   }
+  // Right alone is not enough: what came before, a refusal apart, must make it wrong again.
   const auto after_others = [&]() -> Circumstance {
     const bool comes_again = std::ranges::all_of(
         tried.first(std::min(kMostRepeated, tried.size())),
         [&](const Observation* o) { return toggling.ComesAgainAfter(all, *o); });
-    return comes_again ? Circumstance{"earlier-draws", "if no other draw comes before it"}
-                       : by_chance;
+    if (!comes_again) return {};
+    return {"earlier-draws", "if no other draw comes before it"};
   };
   if (AllRight(tried, [&](const Observation& o) { return toggling.Again(o); }))
-    return with(one_thread) ? Circumstance{"threads", std::string(one_thread.what)}
-                            : after_others();
+    return after_others();
   for (const Toggle& toggle : kToggles) {
     if (toggle.name == "scissor" &&
         AllRight(tried, [&](const Observation& o) { return toggling.ByItself(o); })) {

@@ -52,11 +52,13 @@ void AddDecidingTies(CaseBuilder& builder);
 
 // recipes_least_w.cc
 Case LeastW(BitSource& bits, const SubjectInfo& info);
-Case NearBesideFar(BitSource& bits, const SubjectInfo& info);
+
+// recipes_eye_planes.cc
 Case EyePlanes(BitSource& bits, const SubjectInfo& info);
 
 // recipes_far_corners.cc
 Case FarCorners(BitSource& bits, const SubjectInfo& info);
+Case NearBesideFar(BitSource& bits, const SubjectInfo& info);
 
 // recipes_far_sides.cc
 Case FarSides(BitSource& bits, const SubjectInfo& info);

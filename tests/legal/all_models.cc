@@ -183,6 +183,18 @@ bool IsLegalBySearch(const Scene& scene, const Profile& profile,
   return false;
 }
 
+std::uint64_t NumbersBySearch(const Scene& scene, const Profile& profile, std::size_t s) {
+  std::uint64_t numbers = 0;
+  for (std::uint32_t n = 0; n <= scene.triangles.size(); ++n) {
+    const bool is_legal =
+        IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
+          return ExplainsCountAt(scene, profile, rule, model, s, n);
+        });
+    if (is_legal) numbers |= std::uint64_t{1} << n;
+  }
+  return numbers;
+}
+
 bool ExplainsAt(const Scene& scene, const Profile& profile, const CoverageCounts& counts,
                 const std::vector<std::size_t>& samples) {
   return IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {

@@ -42,6 +42,8 @@ bool ExplainsCounts(const Scene& scene, const Profile& profile, const TieRule& r
 /// Whether some legal grid, tie rule and model explain.
 bool IsLegalBySearch(const Scene& scene, const Profile& profile,
                      const std::function<bool(const TieRule&, const Model&)>& explains);
+/// Returns how many triangles legal models let cover the sample: bit n is set if n can.
+std::uint64_t NumbersBySearch(const Scene& scene, const Profile& profile, std::size_t s);
 /// Whether some model explains the counts at these samples.
 bool ExplainsAt(const Scene& scene, const Profile& profile, const CoverageCounts& counts,
                 const std::vector<std::size_t>& samples);

@@ -26,11 +26,11 @@ namespace rasterproof::legal {
 namespace {
 
 using testing::Draws;
-using testing::ExplainsCountAt;
 using testing::ExplainsCounts;
 using testing::IsJudgedAlike;
 using testing::IsLegalBySearch;
 using testing::Model;
+using testing::NumbersBySearch;
 
 // ---- the doors ----------------------------------------------------------------------------------
 
@@ -94,18 +94,6 @@ class OracleInC {
 };
 
 // ---- the search ---------------------------------------------------------------------------------
-
-std::uint64_t NumbersBySearch(const Scene& scene, const Profile& profile, std::size_t s) {
-  std::uint64_t numbers = 0;
-  for (std::uint32_t n = 0; n <= scene.triangles.size(); ++n) {
-    const bool is_legal =
-        IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
-          return ExplainsCountAt(scene, profile, rule, model, s, n);
-        });
-    if (is_legal) numbers |= std::uint64_t{1} << n;
-  }
-  return numbers;
-}
 
 bool IsLegalBySearch(const Scene& scene, const Profile& profile, const CoverageCounts& counts) {
   return IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {

@@ -1,6 +1,5 @@
 // Writes tiny scenes with counts and what the search through all legal models says of them, a line
 // of JSON each, for tests of the command: write_tiny_scenes NUMBER.
-#include <algorithm>
 #include <bit>
 #include <charconv>
 #include <cstddef>
@@ -31,25 +30,6 @@ json ToJson(const Scene& scene) {
           {"triangles", scene.triangles}};
 }
 
-// The least and the most triangles that legal models let cover the sample.
-struct Numbers {
-  std::uint32_t least = 0;
-  std::uint32_t most = 0;
-};
-
-Numbers NumbersAt(const Scene& scene, const Profile& profile, std::size_t s) {
-  std::uint64_t numbers = 0;
-  for (std::uint32_t n = 0; n <= scene.triangles.size(); ++n) {
-    const bool is_legal =
-        IsLegalBySearch(scene, profile, [&](const TieRule& rule, const Model& model) {
-          return ExplainsCountAt(scene, profile, rule, model, s, n);
-        });
-    if (is_legal) numbers |= std::uint64_t{1} << n;
-  }
-  return {static_cast<std::uint32_t>(std::countr_zero(numbers)),
-          static_cast<std::uint32_t>(std::bit_width(numbers) - 1)};
-}
-
 void Write(int number) {
   Draws draws(73);
   for (int n = 0; n < number;) {
@@ -65,10 +45,10 @@ void Write(int number) {
       return ExplainsCounts(scene, profile, rule, model, counts);
     });
     for (std::size_t s = 0; s < counts.size(); ++s) {
-      const Numbers numbers = NumbersAt(scene, profile, s);
+      const std::uint64_t numbers = NumbersBySearch(scene, profile, s);
       line["counts"].push_back(counts.Count(s));
-      line["least"].push_back(numbers.least);
-      line["most"].push_back(numbers.most);
+      line["least"].push_back(std::countr_zero(numbers));
+      line["most"].push_back(std::bit_width(numbers) - 1);
     }
     std::puts(line.dump().c_str());
   }

@@ -211,6 +211,13 @@ std::optional<TriangleReach> ReachOfTriangle(const PlacedCase& c, const Triangle
   return reach;
 }
 
+ConvexSet ReachOfEdge(const PlacedCase& c, const Triangle& t, std::size_t from) {
+  const Places places = *LegalPlacesOf(c, t);
+  std::vector<Point2> ends = ExtremesOf(places[from]);
+  for (const Point2 p : ExtremesOf(places[(from + 1) % 3])) ends.push_back(p);
+  return HullOf(std::move(ends), LargestOf(c, places));
+}
+
 SampleRegion::SampleRegion() {
   constexpr double kLow = -kLeastError;
   constexpr double kHigh = 1 + kLeastError;
@@ -250,6 +257,10 @@ void SampleRegion::KeepWithin(const PixelSquare& square, std::span<const ConvexS
     }
   }
   Replace(std::move(kept));
+}
+
+void SampleRegion::KeepWithinBox(Point2 low, Point2 high) {
+  KeepWithin(PixelSquare{}, std::array{BoxOf(low, high, 1)});
 }
 
 void SampleRegion::TakeAway(const PixelSquare& square, const ConvexSet& set) {

@@ -67,6 +67,11 @@ struct TriangleReach {
 /// Domain:     a window-space case whose profile states no extents and no side that is culled.
 std::optional<TriangleReach> ReachOfTriangle(const PlacedCase& c, const Triangle& t);
 
+/// Returns where the edge from corner `from` to the next may lie.
+///
+/// Domain:     a triangle of which something is known: see ReachOfTriangle().
+ConvexSet ReachOfEdge(const PlacedCase& c, const Triangle& t, std::size_t from);
+
 /// The places of one sample, in coordinates of its pixel: at first the whole closed square.
 class SampleRegion {
  public:
@@ -74,6 +79,8 @@ class SampleRegion {
 
   /// Keeps what lies in one of the sets.
   void KeepWithin(const PixelSquare& square, std::span<const ConvexSet> sets);
+  /// Keeps what lies in a box of the pixel's own coordinates.
+  void KeepWithinBox(Point2 low, Point2 high);
   /// Takes the interior of the set away.
   void TakeAway(const PixelSquare& square, const ConvexSet& set);
   /// No point of the pixel will do.

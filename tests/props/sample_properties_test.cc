@@ -112,6 +112,19 @@ TEST(Samples, HaveOnePlaceForAllTrianglesOfACase) {
   EXPECT_EQ(Found(two, InThePixel(), 200), Outcome::kViolated);
 }
 
+// Each case alone is explained by places in the pixel, two cases are not.
+TEST(Samples, HaveOnePlaceForAllCasesOfARun) {
+  FakeSubject by_case = SamplesBy([](const Scene& scene, Point2& location) {
+    const bool is_even = std::fmod(std::floor(16 * std::fabs(scene.vertices[0].x)), 2) == 0;
+    location.x = is_even ? 0.25 : 0.75;
+  });
+  EXPECT_EQ(Found(by_case, InThePixel(), 200), Outcome::kViolated);
+  FakeSubject by_length = SamplesBy([](const Scene& scene, Point2& location) {
+    location.y = scene.vertices.size() > 64 ? 0.5 : 0.625;
+  });
+  EXPECT_EQ(Found(by_length, InThePixel(), 200), Outcome::kViolated);
+}
+
 // One triangle that holds the pixel (2, 2) by more than any grid moves it, and one far from it.
 TEST(Samples, AreCoveredByWhatHoldsTheirPixelAndByNothingApartFromIt) {
   SubjectInfo info = testing::SnappedInfo(8);
@@ -133,6 +146,27 @@ TEST(Samples, AreCoveredByWhatHoldsTheirPixelAndByNothingApartFromIt) {
                 wrong ? Outcome::kViolated : Outcome::kHolds)
           << holds;
     }
+  }
+}
+
+// A fan about a hub to the right of its square: right of the square two triangles cover a sample,
+// one of each facing.
+TEST(Samples, AreCoveredFrontMinusBackWhereAMeshFolds) {
+  SubjectInfo info = testing::SnappedInfo(8);
+  info.profile = *PresetProfile("vulkan-4x");
+  Case c;
+  c.profile = info.profile;
+  c.scene.width = c.scene.height = 24;
+  c.scene.vertices = {{1, 1}, {1, 15}, {15, 15}, {15, 1}, {22, 8}};
+  c.scene.triangles = {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}};
+  for (const bool wrong : {false, true}) {
+    FakeSubject subject(
+        info, [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+          counts += exact::Coverage(scene, info.profile, options);
+          if (wrong && scene.triangles.size() == 4) counts.back.assign(counts.size(), 0);
+        });
+    const Verdict verdict = RunCase(subject, InThePixel(), c);
+    EXPECT_EQ(verdict.outcome, wrong ? Outcome::kViolated : Outcome::kHolds) << verdict.message;
   }
 }
 

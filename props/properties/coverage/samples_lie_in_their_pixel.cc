@@ -4,14 +4,17 @@
 // but much of its place: if it is covered, the place lies where a legal model puts the triangle,
 // and if not, outside what all models cover. So does a mesh: each sample well inside is covered
 // once unless it lies on a vertex, and so of two meshes with no vertex in common only one can miss
-// it. The case's mesh is drawn again, moved by some sixteenths of a pixel: vertices on that grid
-// stay on the grid of every device.
+// it. Where a mesh folds, its triangles cover a sample front minus back as often as its outline
+// winds around it, unless it lies on a vertex or a fold. The case's mesh is drawn again, moved by
+// some sixteenths of a pixel: vertices on that grid stay on the grid of every device. A ruler (place_ruler.h), the same in every case on a target of
+// this size, makes the places one choice of the run.
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +27,7 @@
 #include "props/judging/free_choices.h"
 #include "props/judging/mesh_model.h"
 #include "props/judging/mesh_neighbours.h"
+#include "props/judging/place_ruler.h"
 #include "props/judging/redraw.h"
 #include "props/judging/sample_region.h"
 #include "props/judging/visible_edge.h"
@@ -54,7 +58,9 @@ struct Mesh {
   std::vector<TriangleReach> triangles = {};
   std::vector<std::int64_t> winding = {};
   std::vector<VisibleEdge> outline = {};
-  double margin = 0;  ///< pixels whose centre is no farther from the outline are not judged
+  std::vector<ConvexSet> folds = {};  ///< where edges between opposite facings may lie
+  double margin = 0;       ///< pixels whose centre is no farther from the outline are not judged
+  bool is_folded = false;  ///< front minus back is judged
   bool shows_overlaps = false;
 
   bool IsNearTheOutline(const PixelSquare& square) const {
@@ -64,6 +70,9 @@ struct Mesh {
   // Where a sample of the pixel may be covered otherwise than once.
   std::vector<ConvexSet> OpenPlaces(const PixelSquare& square) const {
     std::vector<ConvexSet> places;
+    for (const ConvexSet& fold : folds) {
+      if (!AreApart(square, fold)) places.push_back(fold);
+    }
     for (const TriangleReach& triangle : triangles) {
       if (AreApart(square, triangle.most)) continue;
       if (!triangle.facing) places.push_back(triangle.most);
@@ -87,7 +96,36 @@ Scene Moved(const Scene& scene, Point2 by) {
   return moved;
 }
 
-// Nothing if it may fold, overlap itself or be clipped: then a sample may be covered otherwise.
+// Where edges may lie whose two triangles face opposite ways: on such an edge both lie on one side.
+std::vector<ConvexSet> FoldsOf(const PlacedCase& c, const std::vector<TriangleReach>& triangles) {
+  using End = std::pair<double, double>;
+  std::map<std::pair<End, End>, std::vector<std::size_t>> by_edge;
+  const Scene scene = UnsnappedScene(c);
+  const auto edge_of = [&](std::size_t t, std::size_t from) {
+    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
+    const Vertex& a = v[from];
+    const Vertex& b = v[(from + 1) % 3];
+    return std::pair{End{a.x, a.y}, End{b.x, b.y}};
+  };
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const std::size_t from : {0U, 1U, 2U}) by_edge[edge_of(t, from)].push_back(t);
+  }
+  std::vector<ConvexSet> folds;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    for (const std::size_t from : {0U, 1U, 2U}) {
+      const auto [a, b] = edge_of(t, from);
+      const auto others = by_edge.find({b, a});
+      if (others != by_edge.end() && std::ranges::any_of(others->second, [&](std::size_t other) {
+            return triangles[t].facing != triangles[other].facing;
+          }))
+        folds.push_back(ReachOfEdge(c, c.scene.triangles[t], from));
+    }
+  }
+  return folds;
+}
+
+// Nothing if it may be clipped, or may fold or overlap itself and the subject shows no facings:
+// then a sample may be covered otherwise.
 std::optional<Mesh> MeshOf(const PlacedCase& given, Point2 by, const Description& subject) {
   Mesh mesh{.words = by == Point2{}
                          ? "the mesh"
@@ -100,17 +138,22 @@ std::optional<Mesh> MeshOf(const PlacedCase& given, Point2 by, const Description
   for (const Triangle& t : c.scene.triangles) {
     std::optional<TriangleReach> reach = ReachOfTriangle(c, t);
     if (!reach || reach->is_clipped) return std::nullopt;
-    if (reach->facing && facing.value_or(*reach->facing) != *reach->facing) return std::nullopt;
+    if (reach->facing && facing.value_or(*reach->facing) != *reach->facing) mesh.is_folded = true;
     if (reach->facing) facing = reach->facing;
     mesh.triangles.push_back(*std::move(reach));
   }
   mesh.winding = WindingOf(c);
-  if (std::ranges::any_of(mesh.winding, [](std::int64_t w) { return std::abs(w) > 1; }))
-    return std::nullopt;
+  mesh.is_folded = mesh.is_folded || std::ranges::any_of(mesh.winding, [](std::int64_t w) {
+                     return std::abs(w) > 1;
+                   });
+  mesh.shows_overlaps = !IsJudgedAsShown(subject.info, c.scene);
+  if (mesh.is_folded) {
+    if (!TellsFacings(subject) || !mesh.shows_overlaps) return std::nullopt;
+    mesh.folds = FoldsOf(c, mesh.triangles);
+  }
   for (const BoundaryEdge& edge : BoundaryOf(UnsnappedScene(c)))
     mesh.outline.emplace_back(edge.a, edge.b);
   mesh.margin = kHalfADiagonal + OpenTriangles(c).MostMoved() + kRounded;
-  mesh.shows_overlaps = !IsJudgedAsShown(subject.info, c.scene);
   return mesh;
 }
 
@@ -118,6 +161,7 @@ struct Asked {
   std::vector<std::size_t> alone;  ///< triangles
   std::vector<TriangleReach> reaches;
   std::vector<Mesh> meshes;
+  PlaceRuler ruler;  ///< drawn first
 };
 
 // The regions of all samples, or of all samples of a pixel that is like every other.
@@ -128,6 +172,35 @@ class Judge {
         shape_(shape),
         is_fixed_(c.profile.sample_positions == SamplePositions::kFixed),
         regions_(is_fixed_ ? static_cast<std::size_t>(shape.samples) : shape.size()) {}
+
+  // The drawings of the ruler's strips, the first of all.
+  void SeeRuler(const PlaceRuler& ruler, const Answers& answers) {
+    std::vector<PlacesLeft> places(regions_.size());
+    ForEachPixel([&](int x, int row) {
+      const bool in_an_end_row = row == 0 || row == shape_.height - 1;
+      const bool in_an_end_column = x == 0 || x == shape_.width - 1;
+      for (int s = 0; s < shape_.samples && !violated_; ++s) {
+        const std::size_t k = shape_.Index(x, row, s);
+        PlacesLeft& left = places[RegionIndex(k)];
+        for (std::size_t draw = 0; draw < ruler.strips.size() && !violated_; ++draw) {
+          const PlaceRuler::Strips& strips = ruler.strips[draw];
+          const bool covered = answers.draws[draw]->counts.Count(k) != 0;
+          ++exercised_;
+          // A sample on the end of a strip need not be covered.
+          if (!covered && (strips.along_rows ? in_an_end_column : in_an_end_row)) continue;
+          left.See(strips, covered);
+          if (!left.IsEmpty()) continue;
+          Violate(k, covered ? "the ruler's strips cover it" : "the ruler's strips do not cover it",
+                  false);
+          violated_ = OfDraw(draw, *std::move(violated_));
+        }
+      }
+    });
+    for (std::size_t k = 0; k < places.size() && !violated_; ++k) {
+      const auto [low, high] = places[k].Box();
+      regions_[k].KeepWithinBox(low, high);
+    }
+  }
 
   void SeeAlone(std::size_t t, const TriangleReach& reach, const CoverageCounts& counts) {
     ForEachPixel([&](int x, int row) {
@@ -160,13 +233,17 @@ class Judge {
       if (mesh.IsNearTheOutline(square)) return;
       for (int s = 0; s < shape_.samples && !violated_; ++s) {
         const std::size_t k = shape_.Index(x, row, s);
-        const auto due = static_cast<std::uint32_t>(std::abs(mesh.winding[k]));
-        const std::uint32_t count = counts.Count(k);
-        exercised_ += due;
+        const std::int64_t winding = mesh.winding[k];
+        const std::int64_t due = mesh.is_folded ? winding : std::abs(winding);
+        const std::int64_t count = mesh.is_folded ? counts.Signed(k) : counts.Count(k);
+        exercised_ += static_cast<std::uint64_t>(std::abs(winding));
         if (count == due || (due == 1 && count > 1 && !mesh.shows_overlaps)) continue;
         RegionOf(k).KeepWithin(square, mesh.OpenPlaces(square));
         if (!RegionOf(k).IsEmpty()) continue;
-        Violate(k, mesh.words + " covers it " + std::to_string(count) + " times", false);
+        Violate(k,
+                mesh.words + " covers it " + std::to_string(count) +
+                    (mesh.is_folded ? " times, front minus back" : " times"),
+                false);
         violated_ = OfDraw(draw, *std::move(violated_));
       }
     });
@@ -182,9 +259,10 @@ class Judge {
     }
   }
 
-  SampleRegion& RegionOf(std::size_t k) {
-    return regions_[is_fixed_ ? k % static_cast<std::size_t>(shape_.samples) : k];
+  std::size_t RegionIndex(std::size_t k) const {
+    return is_fixed_ ? k % static_cast<std::size_t>(shape_.samples) : k;
   }
+  SampleRegion& RegionOf(std::size_t k) { return regions_[RegionIndex(k)]; }
 
   void Violate(std::size_t k, std::string observed, bool wherever) {
     Witness witness = WitnessAtIndex(shape_, k);
@@ -208,13 +286,22 @@ class Judge {
 
 Verdict Judged(const PlacedCase& c, const Asked& asked, const Answers& answers) {
   Judge judge(c, answers.draws[0]->counts);
+  if (!asked.ruler.strips.empty()) judge.SeeRuler(asked.ruler, answers);
+  std::size_t draw = asked.ruler.strips.size();
   for (std::size_t k = 0; k < asked.alone.size(); ++k)
-    judge.SeeAlone(asked.alone[k], asked.reaches[k], answers.draws[k]->counts);
-  for (std::size_t k = 0; k < asked.meshes.size(); ++k) {
-    const std::size_t draw = asked.alone.size() + k;
-    judge.SeeMesh(asked.meshes[k], draw, answers.draws[draw]->counts);
+    judge.SeeAlone(asked.alone[k], asked.reaches[k], answers.draws[draw++]->counts);
+  for (const Mesh& mesh : asked.meshes) {
+    judge.SeeMesh(mesh, draw, answers.draws[draw]->counts);
+    ++draw;
   }
   return judge.Done();
+}
+
+void AskRuler(const PlacedCase& c, Asked& asked, Questions& questions) {
+  if (c.profile.freedom.ties == TieOwnership::kOpen) return;  // a strip's diagonal may have cracks
+  asked.ruler = PlaceRulerFor(c);
+  for (const PlaceRuler::Strips& strips : asked.ruler.strips)
+    questions.draws.push_back(CountsOf(strips.scene, c.profile, WholeTarget(c)));
 }
 
 // Evenly over the list.
@@ -236,6 +323,7 @@ void AskMeshes(const PlacedCase& c, const Description& subject, Asked& asked,
                Questions& questions) {
   if (c.scene.triangles.size() < 2 || c.scene.triangles.size() > kMostInAMesh) return;
   for (const Point2 by : kMoves) {
+    if (c.before && by != Point2{}) break;  // its own transform takes places of the case alone
     std::optional<Mesh> mesh = MeshOf(c, by, subject);
     if (!mesh) continue;
     questions.draws.push_back(CountsOf(mesh->c.scene, c.profile, WholeTarget(c)));
@@ -248,6 +336,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
     return NotExercised("the subject's own transform may err");
   auto asked = std::make_shared<Asked>();
   Questions questions;
+  AskRuler(c, *asked, questions);
   AskAlone(c, *asked, questions);
   AskMeshes(c, subject, *asked, questions);
   if (questions.draws.empty()) return NotExercised("nothing is known of where its triangles lie");
@@ -271,13 +360,16 @@ extern constinit const Property kSamplesLieInTheirPixel{
     .required_by = samples_lie_in_their_pixel::kClauses,
     .tolerance = "the profile's own freedom, and the closed pixel",
     .domains = samples_lie_in_their_pixel::kDomains,
-    .gate = {.any_model = true,
-             .judges_clipped = true,
-             .unwrapped = true,
-             .rules = samples_lie_in_their_pixel::kRules,
-             .asks_oracle = true,
-             .where = "some triangles alone; meshes that no legal choice folds and nothing clips, "
-                      "also moved by sixteenths of a pixel, in pixels away from their outline"},
+    .gate =
+        {.any_model = true,
+         .judges_clipped = true,
+         .unwrapped = true,
+         .rules = samples_lie_in_their_pixel::kRules,
+         .asks_oracle = true,
+         .where =
+             "strips of sixteenths of a pixel; some triangles alone; meshes that nothing clips, "
+             "also moved by sixteenths of a pixel, in pixels away from their outline, and "
+             "of a subject without facings only those that no legal choice folds"},
     .ask = samples_lie_in_their_pixel::Ask,
 };
 

@@ -6,8 +6,9 @@
 // once unless it lies on a vertex, and so of two meshes with no vertex in common only one can miss
 // it. Where a mesh folds, its triangles cover a sample front minus back as often as its outline
 // winds around it, unless it lies on a vertex or a fold. The case's mesh is drawn again, moved by
-// some sixteenths of a pixel: vertices on that grid stay on the grid of every device. A ruler (place_ruler.h), the same in every case on a target of
-// this size, makes the places one choice of the run.
+// some sixteenths of a pixel: vertices on that grid stay on the grid of every device. A
+// ruler (place_ruler.h), the same in every case on a target of this size, makes the places one
+// choice of the run.
 #include <algorithm>
 #include <array>
 #include <cmath>

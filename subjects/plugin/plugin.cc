@@ -130,9 +130,12 @@ class PluginTarget {
   PluginTarget(const DrawJob& job, const SubjectInfo& info, bool needs_all)
       : rows_(static_cast<std::size_t>(job.scene->height)) {
     RequireTargetSize("plugin", job.scene->width, job.scene->height, job.samples);
-    drawing_.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
+    drawing_.counts.width = job.scene->width;
+    drawing_.counts.height = job.scene->height;
+    drawing_.counts.samples = job.samples;
+    size_ = CoverageCounts::Size(job.scene->width, job.scene->height, job.samples);
     const CoverageKind kind = info.coverage;
-    const std::size_t columns = drawing_.counts.size() / rows_;
+    const std::size_t columns = size_ / rows_;
     const GuardedCounts& shape =
         ShowsPrimitiveIds(info)
             ? primitive_ids_.emplace(columns, rows_, 1, static_cast<std::uint32_t>(kNoPrimitive))
@@ -163,8 +166,10 @@ class PluginTarget {
   }
   const rasterproof_target& view() const { return view_; }
 
-  /// What was drawn.
+  /// Returns what was drawn. Each part is freed once it is read: of a large target there is no room
+  /// for all of them twice.
   ///
+  /// Domain:     once.
   /// Error:      SubjectStop if anything was written outside the target.
   Drawing Drawn() {
     for (const auto* part :
@@ -172,13 +177,14 @@ class PluginTarget {
       const std::string damage = *part ? (*part)->Damage() : "";
       if (!damage.empty()) BreakDown("it wrote outside its target: " + damage);
     }
-    CopyRows(front_, rows_, drawing_.counts.size(), drawing_.counts.front);
-    CopyRows(back_, rows_, drawing_.counts.size(), drawing_.counts.back);
-    CopyRows(primitive_ids_, rows_, drawing_.counts.size(), drawing_.primitive_ids);
-    if (wants_.barycentrics)
-      CopyRows(barycentrics_, rows_, drawing_.counts.size(), drawing_.barycentrics);
-    if (wants_.depths) CopyRows(depths_, rows_, drawing_.counts.size(), drawing_.depths);
-    CopyRows(centroids_, rows_, drawing_.counts.size(), drawing_.centroids);
+    TakeRows(front_, drawing_.counts.front);
+    TakeRows(back_, drawing_.counts.back);
+    TakeRows(primitive_ids_, drawing_.primitive_ids);
+    if (wants_.barycentrics) TakeRows(barycentrics_, drawing_.barycentrics);
+    if (wants_.depths) TakeRows(depths_, drawing_.depths);
+    TakeRows(centroids_, drawing_.centroids);
+    drawing_.counts.front.resize(size_);
+    drawing_.counts.back.resize(size_);
     for (std::size_t k = 0; k < drawing_.primitive_ids.size(); ++k) {
       drawing_.counts.front[k] = drawing_.primitive_ids[k] == kNoPrimitive ? 0 : 1;
     }
@@ -194,16 +200,18 @@ class PluginTarget {
     return part ? reinterpret_cast<T*>(part->data()) : nullptr;
   }
   template <class T>
-  static void CopyRows(const Part& part, std::size_t rows, std::size_t size, std::vector<T>& to) {
+  void TakeRows(Part& part, std::vector<T>& to) {
     if (!part) return;
-    to.resize(size);
-    for (std::size_t row = 0; row < rows; ++row) {
+    to.resize(size_);
+    for (std::size_t row = 0; row < rows_; ++row) {
       const std::span<const std::uint32_t> from = part->Row(row);
-      std::memcpy(to.data() + row * (size / rows), from.data(), from.size_bytes());
+      std::memcpy(to.data() + row * (size_ / rows_), from.data(), from.size_bytes());
     }
+    part.reset();
   }
 
   std::size_t rows_;
+  std::size_t size_ = 0;
   Outputs wants_;
   Drawing drawing_;
   Part front_;

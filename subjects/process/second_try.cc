@@ -164,30 +164,37 @@ CallEnd ProcessSubject::EndOfSilence(const OutOfTime& slow, const Wait& wait, do
 
 // The process ended, or said that it was out of memory. A fresh one, whose address space has no
 // limit but which is ended once it holds as much memory, is asked the same, after the same calls.
-// If it takes more than the limit, the limit ended the first one and no fault did. Where the calls
-// before are not known, what the first one had taken by then is added.
+// If it takes more than the limit, the limit ended the first one and no fault did; if it gives no
+// answer in its time, nobody knows. Where the calls before are not known, what the first one had
+// taken by then is added.
 void ProcessSubject::BlameMemory(std::span<const DrawJob> jobs, Call& call) {
   const NoFile nothing;
   if (!info_.takes_batches) jobs = jobs.first(call.outcomes.size());
   constexpr double kPatience = 4;
   const double most = kPatience * limits_.seconds;
   bool is_memory = false;
+  bool is_slow = false;
   const CallEnd asked = EndOf([&] {
     child_ = std::make_unique<Child>(command_, limits_.bytes, nothing.file());
     std::vector<std::vector<DrawJob>> calls = std::move(call.before);
     const std::uint64_t before = calls.empty() ? call.bytes_before : 0;
     calls.emplace_back(jobs.begin(), jobs.end());
     for (std::size_t k = 0; k < calls.size() && child_ != nullptr; ++k) {
-      is_memory = is_memory || AskOnce(calls[k], {most, most}).is_too_large;
+      const Call again = AskOnce(calls[k], {most, most});
+      is_memory = is_memory || again.is_too_large;
+      is_slow = again.slow.has_value();
     }
     if (is_memory || child_ == nullptr) return;
     is_memory = child_->MostBytes() + before > limits_.bytes;
   });
   child_.reset();
-  if (asked.stop != Stop::kNone || !is_memory) return;
+  if (asked.stop != Stop::kNone || !(is_memory || is_slow)) return;
   CallEnd& end = call.outcomes.back().end;
+  const std::string without =
+      is_memory ? "takes more: raise the limit, or give 0 for none"
+                : "gave no answer in " + SecondsText(most) + ": raise --time-limit as well";
   end = {Stop::kTooSlow, end.why + ", under --memory-limit (now " + GibibytesText(limits_.bytes) +
-                             "); without it it takes more: raise the limit, or give 0 for none"};
+                             "); without it it " + without};
 }
 
 }  // namespace rasterproof::subjects

@@ -25,6 +25,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kMostKeptBack{10};
+constexpr std::size_t kMostSaidAtOnce = 1 << 20;  // characters; one answer may have more
 
 std::string OneLine(std::string text) {
   std::ranges::replace(text, '\n', ' ');
@@ -34,15 +35,16 @@ std::string OneLine(std::string text) {
 // A drawing of another shape than its target's can't be sent.
 void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind) {
   const Outputs answered = Answered(kind, job.wants);
-  const CoverageCounts target(job.scene->width, job.scene->height, job.samples);
+  const Scene& target = *job.scene;
+  const std::size_t size = CoverageCounts::Size(target.width, target.height, job.samples);
   const CoverageCounts& counts = drawing.counts;
   const bool fits = counts.width == target.width && counts.height == target.height &&
-                    counts.samples == target.samples && counts.front.size() == target.size() &&
-                    counts.back.size() == target.size() &&
-                    (!answered.primitive_ids || drawing.primitive_ids.size() == target.size()) &&
-                    (!answered.barycentrics || drawing.barycentrics.size() == target.size()) &&
-                    (!answered.depths || drawing.depths.size() == target.size()) &&
-                    (!answered.centroids || drawing.centroids.size() == target.size());
+                    counts.samples == job.samples && counts.front.size() == size &&
+                    counts.back.size() == size &&
+                    (!answered.primitive_ids || drawing.primitive_ids.size() == size) &&
+                    (!answered.barycentrics || drawing.barycentrics.size() == size) &&
+                    (!answered.depths || drawing.depths.size() == size) &&
+                    (!answered.centroids || drawing.centroids.size() == size);
   if (!fits) BreakDown("its drawing has not the shape of the target, or lacks a part");
 }
 
@@ -94,7 +96,8 @@ std::string EndText(std::uint64_t id, const CallEnd& end) {
 std::string AnswerOrEnd(std::uint64_t id, const std::function<std::string()>& answer) {
   std::string text;
   const CallEnd end = EndHere([&] { text = answer(); });
-  return end.stop == Stop::kNone ? text : EndText(id, end);
+  if (end.stop != Stop::kNone) return EndText(id, end);
+  return text;  // moved: of a large target there is no room for a second one
 }
 
 std::string Answer(const DrawRequest& request, const DrawOutcome& outcome, CoverageKind kind) {
@@ -156,6 +159,7 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
     for (std::size_t k = 0; k < call.size() && k < outcomes.size(); ++k) {
       std::string answer = Answer(call[k], outcomes[k], subject.Info().coverage);
       outcomes[k].drawing = {};  // a large one takes much memory
+      if (!answers.empty() && answers.size() + answer.size() > kMostSaidAtOnce) say(std::exchange(answers, {}));
       if (answers.empty()) {
         answers = std::move(answer);
       } else {

@@ -2,16 +2,35 @@
 are told that they are not asked, and memory that runs out is nobody's violation. And the inputs
 that need the last bit of an integer edge function.
 
-usage: large_target_test.py PROGRAM SOURCES EXAMPLES
+usage: large_target_test.py PROGRAM SOURCES EXAMPLES PLUGINS
 """
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
-PROGRAM, SOURCES, EXAMPLES = (os.path.abspath(path) for path in sys.argv[1:4])
+PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:5])
 LARGE = "LargeTargetIsCoveredLikeASmallOne"
 MODEL = "CoverageEqualsTheModel"
+SAME = "EarlierScenesLeaveNoTrace"
+
+ENDS_UNDER_A_LIMIT = """#!{python}
+# Draws nothing once, then ends where its memory is limited; elsewhere it gives no answer.
+import os, resource, sys, time
+draws = 0
+for line in sys.stdin:
+    _, number, width, height, _, _, vertices, triangles = line.split()[:8]
+    for _ in range(int(vertices) + int(triangles)):
+        sys.stdin.readline()
+    draws += 1
+    if resource.getrlimit(resource.RLIMIT_AS)[0] == resource.RLIM_INFINITY:
+        time.sleep(1000)
+    if draws > 1:
+        os._exit(2)
+    print("counts", number)
+    print("\\n".join([" ".join("0" * int(width))] * int(height)), flush=True)
+"""
 
 
 def check(*arguments):
@@ -49,6 +68,27 @@ class LargeTargets(unittest.TestCase):
         self.assertEqual(ran_out.returncode, 4, ran_out.stdout + ran_out.stderr)
         self.assertIn("512 MiB (--memory-limit)", ran_out.stdout)
         self.assertIn("raise --memory-limit", ran_out.stdout)
+
+    def test_verdicts_come_within_the_usual_memory_limit(self):
+        def run(plugin):
+            return check("--plugin", plugin, "--property", MODEL, "--case", "large-target:0@0")
+
+        held = run(f"{EXAMPLES}/example_plugin.so")
+        self.assertEqual(held.returncode, 0, held.stdout + held.stderr)
+        found = run(f"{PLUGINS}/buggy_ROUNDS.so")
+        self.assertEqual(found.returncode, 1, found.stdout + found.stderr)
+        self.assertIn("of 67108864 samples", found.stdout)
+
+    def test_what_ends_under_the_limit_and_hangs_without_it_is_not_decided(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "program.py")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write(ENDS_UNDER_A_LIMIT.format(python=sys.executable))
+            os.chmod(program, 0o755)
+            told = check("--exec", program, "--property", SAME, "--cases", "1",
+                         "--time-limit", "0.3", "--memory-limit", "8")  # fmt: skip
+        self.assertEqual(told.returncode, 4, told.stdout + told.stderr)
+        self.assertIn("without it it gave no answer in 1.2 s: raise --time-limit", told.stdout)
 
 
 class WidthInputs(unittest.TestCase):

@@ -23,7 +23,7 @@ namespace rasterproof::props {
 /// `triangles`; `pairs` (a, b, c) and (b, a, d), on both sides of a common edge or on one; `fans`
 /// of a hub and a ring of six, embedded, folded or flat.
 ///
-/// Sizes at which a number is cut off: indices of 16 bits, targets past 2^14, 2^31 bytes of counts.
+/// Sizes at which a number is cut off: indices of 16 bits, targets past 2^14, 2^26 samples.
 struct World {
   std::string_view name;     ///< "triangles-7x7"
   std::string_view summary;  ///< one line

@@ -159,7 +159,8 @@ void Serve(Subject& subject, std::istream& in, const std::function<void(const st
     for (std::size_t k = 0; k < call.size() && k < outcomes.size(); ++k) {
       std::string answer = Answer(call[k], outcomes[k], subject.Info().coverage);
       outcomes[k].drawing = {};  // a large one takes much memory
-      if (!answers.empty() && answers.size() + answer.size() > kMostSaidAtOnce) say(std::exchange(answers, {}));
+      if (!answers.empty() && answers.size() + answer.size() > kMostSaidAtOnce)
+        say(std::exchange(answers, {}));
       if (answers.empty()) {
         answers = std::move(answer);
       } else {

@@ -259,7 +259,8 @@ inline bool AlwaysCulls(const Profile& profile, int facing) {
          (profile.culls == Cull::kBack && facing < 0);
 }
 
-/// Returns whether exactly one result is legal for every scene within the limits.
+/// Returns whether the profile leaves nothing open: of every scene within its limits that it places
+/// exactly one result is legal.
 inline bool HasOneModel(const Profile& profile) {
   return profile.contract == Contract::kSampleExact && profile.freedom.IsNone() &&
          !profile.shares_edge_samples && profile.sample_positions == SamplePositions::kStated;
@@ -269,8 +270,9 @@ inline bool HasOneModel(const Profile& profile) {
 /// the same counts. Names, contracts, freedom and limits may differ.
 bool SameModel(const Profile& a, const Profile& b);
 
-/// Returns whether every coordinate of the scene is finite, within the profile's limit, and
-/// accepted by its fixed-point input, and the target is no larger than the profile's largest.
+/// Returns whether the scene lies within the profile's limits: x, y and w are finite, z is no NaN
+/// unless one changes nothing there (NanZ::kIgnored), x and y are within its limit and accepted by
+/// its fixed-point input, and the target is no larger than its largest.
 bool WithinLimits(const Scene& scene, const Profile& profile);
 
 /// Returns whether a subject of this profile can be given the scene at all: a fixed-point input

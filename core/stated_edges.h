@@ -11,8 +11,8 @@
 
 namespace rasterproof {
 
-/// The bounds of a subject whose properties are numbers (SubjectInfo::edges), whatever its values
-/// are.
+/// Bounds from the numbers that a subject states of its edge functions (EdgeInfo). How it evaluates
+/// them is left to a class derived from this.
 class StatedEdges : public EdgeEvaluator {
  public:
   /// `precision` is that of the subject's input: u is 2^-24 or 2^-53.

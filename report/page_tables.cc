@@ -107,7 +107,7 @@ std::string ViolatedBy(const std::vector<const Certificate*>& subjects) {
                                  : Folded(Several(subjects.size(), "subject"), names + "\n", false);
 }
 
-std::string RowOf(const std::string& property, PropertyRow& row) {
+std::string PropertyRowOf(const std::string& property, PropertyRow& row) {
   auto& count = row.subjects;
   return fmt::format(
       "<tr><th scope=\"row\" class=\"name\">{}</th>{}{}{}{}{}<td class=\"names\">{}</td></tr>\n",
@@ -169,7 +169,7 @@ std::string PropertyTable(const std::vector<Certificate>& certificates) {
       "<th class=\"number\">quality</th>"
       "<th class=\"number\">open</th><th class=\"number\">not asked</th><th>violated by</th>"
       "</tr></thead><tbody>\n";
-  for (const std::string& property : properties) html += RowOf(property, rows.at(property));
+  for (const std::string& property : properties) html += PropertyRowOf(property, rows.at(property));
   html += "</tbody></table></div>\n" +
           ColumnKey({{"hold, violated", "subjects with this outcome"},
                      {"quality", "subjects that violate it where no clause requires it"},

@@ -22,6 +22,7 @@
 #include "props/placed_case.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
+#include "report/case_code.h"
 #include "report/picture.h"
 #include "report/text.h"
 #include "tool/certify.h"
@@ -197,11 +198,26 @@ std::string PixelLine(const report::Explanation& explanation, int x, int y) {
                      what);
 }
 
+// What was drawn, as code, with the verdict in its comments.
+std::string CodeOf(std::string_view language, const LoadedCase& loaded, const Verdict& verdict) {
+  const std::string line = FailureLine(PropertyName(loaded), loaded.value,
+                                       WithCountsAsGiven(verdict, loaded.subject->Info()));
+  const std::string notes =
+      fmt::format("{}: {}\n{}replay: {}", loaded.subject->Info().name, OutcomeName(verdict.outcome),
+                  verdict.outcome == Outcome::kViolated ? line + "\n" : "", loaded.replay);
+  return report::CaseCode(*report::CodeLanguageNamed(language), AsDrawn(loaded.value, verdict),
+                          report::CleanText(notes));
+}
+
 }  // namespace
 
 int Replay(const ReplayOptions& options, LoadedCase loaded) {
   const Verdict verdict = options.shrink.empty() ? Judge(loaded) : Shrink(options, loaded);
   if (options.shrink == "-") return StatusOf(verdict.outcome);
+  if (!options.as.empty()) {
+    io::WriteStandardOutput(CodeOf(options.as, loaded, verdict));
+    return StatusOf(verdict.outcome);
+  }
   std::string text = fmt::format("{}: {}, exercised {} times{}{}\n",
                                  loaded.property ? loaded.property->name : "coverage",
                                  OutcomeName(verdict.outcome), verdict.exercised,
@@ -224,6 +240,10 @@ int RunExplain(const ExplainOptions& options) {
   const LoadedCase loaded = LoadCase(options.choice, "explain");
   const bool chosen = options.x >= 0 || options.y >= 0;
   const Verdict verdict = Judge(loaded);
+  if (!options.as.empty()) {
+    io::WriteStandardOutput(CodeOf(options.as, loaded, verdict));
+    return StatusOf(verdict.outcome);
+  }
   if (chosen) RequirePixel(options, AsDrawn(loaded.value, verdict).scene);
   Verdict shown = verdict;
   if (chosen) {

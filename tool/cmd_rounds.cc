@@ -164,7 +164,8 @@ void RequireShrinkable(const LoadedCase& loaded) {
 
 int ShrinkInRounds(const ShrinkRoundsOptions& options) {
   const Described described(options.rounds);
-  ReplayOptions replay{options.choice, options.output, options.evaluations};
+  ReplayOptions replay{
+      .choice = options.choice, .shrink = options.output, .evaluations = options.evaluations};
   replay.choice.subject = described.Info().name;
   replay.choice.profile = options.rounds.profile;
   std::shared_ptr<Rounds> rounds;

@@ -24,6 +24,7 @@
 #include "core/error.h"
 #include "core/suggestion.h"
 #include "fmt/format.h"
+#include "report/case_code.h"
 #include "report/text.h"
 #include "tool/commands.h"
 #include "tool/interrupt.h"
@@ -98,6 +99,14 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
   verb->callback([&run] { run = [] { return UntilInterrupted(RunSurvey, options); }; });
 }
 
+CLI::Option* AddAs(CLI::App* verb, std::string& as) {
+  const std::vector<std::string> languages(report::kCodeLanguages.begin(),
+                                           report::kCodeLanguages.end());
+  return verb
+      ->add_option("--as", as, "Print the case so, to be pasted into a test; the verdict above it")
+      ->check(CLI::IsMember(languages));
+}
+
 void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   static ReplayOptions options;
   options.choice.typed = typed;
@@ -110,6 +119,7 @@ void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--evaluations", options.evaluations, "Most evaluations to shrink by")
       ->capture_default_str()
       ->needs(shrink);
+  AddAs(verb, options.as);
   verb->callback([&run] {
     run = [] {
       return options.shrink.empty() ? RunReplay(options) : UntilInterrupted(RunReplay, options);
@@ -148,6 +158,10 @@ void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--svg", options.svg, "Picture as SVG");
   verb->add_option("--png", options.png, "Picture as PNG");
   verb->add_flag("--colour", options.colour, "Colours in the terminal");
+  CLI::Option* const as = AddAs(verb, options.as);
+  for (const char* const picture : {"--pixel", "--svg", "--png", "--colour"}) {
+    as->excludes(verb->get_option(picture));
+  }
   verb->callback([&run] { run = [] { return RunExplain(options); }; });
 }
 

@@ -180,6 +180,7 @@ struct ReplayOptions {
   CaseChoice choice;
   std::string shrink;  ///< file for the smallest case that still fails; empty: as it is
   std::uint64_t evaluations = 10000;
+  std::string as{};  ///< of report::kCodeLanguages: print the case so; empty: the verdict
 };
 int RunReplay(const ReplayOptions& options);
 
@@ -190,6 +191,7 @@ struct ExplainOptions {
   std::string svg;
   std::string png;
   bool colour = false;
+  std::string as;  ///< as of ReplayOptions
 };
 int RunExplain(const ExplainOptions& options);
 

@@ -8,6 +8,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import shlex
 import signal
 import subprocess
@@ -300,6 +301,26 @@ class Strategies(unittest.TestCase):
         smallest = find(triangles(near_edge=True), is_wrong, settings=self.settings)
         self.assertEqual(smallest.shape, (1, 3, 2))
         self.assertLessEqual(np.abs(smallest).max(), 2, smallest)
+
+    def test_a_falsifying_example_runs_when_it_is_pasted(self):
+        import hypothesis
+        from hypothesis.reporting import with_reporter
+
+        from rasterproof.strategies import meshes, triangles
+
+        for strategy in (triangles(bits=16), meshes(), meshes(shared_edges=False)):
+            told, failed = [], []
+
+            def fails(t):
+                failed.append(np.asarray(t))  # noqa: B023
+                assert len(t) == 0
+
+            with with_reporter(told.append), self.assertRaises(AssertionError) as caught:
+                self.settings(hypothesis.given(t=strategy)(fails))()
+            told += getattr(caught.exception, "__notes__", [])
+            pasted = re.search(r"t=(np\.array\(.*?\)),?\s", "\n".join(told) + "\n", re.DOTALL)
+            self.assertTrue(pasted, told)
+            np.testing.assert_array_equal(eval(pasted[1]), failed[-1])
 
     def test_a_mesh_covers_nothing_twice(self):
         from hypothesis import given

@@ -15,6 +15,17 @@ __all__ = ["meshes", "triangles"]
 _COMPASS = np.array([(1, 0), (1, 1), (0, 1), (-1, 1), (-1, 0), (-1, -1), (0, -1), (1, -1)])
 
 
+class _Pasted(np.ndarray):
+    """Shown as what makes it again, with all its digits: so a falsifying example can be pasted."""
+
+    def __repr__(self):
+        return f"np.array({self.tolist()})"
+
+
+def _over(points, one):
+    return (np.array(points) / one).view(_Pasted)
+
+
 def _scale(bits):
     if not 0 <= bits <= 16:
         raise ValueError(f"bits: {bits}; give 0 to 16 subpixel bits")
@@ -46,11 +57,11 @@ def triangles(near_edge=False, *, size=(16, 16), bits=8, margin=4):
         corners = [centre - before * along + off, centre + after * along + off,
                    np.array(draw(_points(size, one, margin)))]  # fmt: skip
         turn = draw(st.integers(0, 2))
-        return np.array([corners[turn:] + corners[:turn]]) / one
+        return _over([corners[turn:] + corners[:turn]], one)
 
-    def plain():
-        point = _points(size, one, margin)
-        return st.tuples(point, point, point).map(lambda t: np.array([t]) / one)
+    @st.composite
+    def plain(draw):
+        return _over([[draw(_points(size, one, margin)) for _ in range(3)]], one)
 
     return near() if near_edge else plain()
 
@@ -108,9 +119,16 @@ def meshes(shared_edges=True, *, size=(16, 16), bits=8, most=6):
         corners += np.array(draw(_points(size, one, 1)))
         return [[corners[0], corners[k], corners[k + 1]] for k in range(1, len(corners) - 1)]
 
-    def turned(fan):
-        return st.booleans().map(lambda back: np.array([t[::-1] if back else t for t in fan]) / one)
+    # What .map() returns is printed as the call that made it: what is printed is to run.
+    @st.composite
+    def turned(draw):
+        fan = draw(st.one_of(spokes(), pair(), polygon()))
+        back = draw(st.booleans())
+        return _over([t[::-1] if back else t for t in fan], one)
 
-    if shared_edges:
-        return st.one_of(spokes(), pair(), polygon()).flatmap(turned)
-    return st.lists(triangles(size=size, bits=bits), min_size=2, max_size=most).map(np.concatenate)
+    @st.composite
+    def soup(draw):
+        some = draw(st.lists(triangles(size=size, bits=bits), min_size=2, max_size=most))
+        return _over(np.concatenate(some), 1)
+
+    return turned() if shared_edges else soup()

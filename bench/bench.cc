@@ -250,6 +250,7 @@ void RunFamily(const FamilyInput& family, std::span<const std::unique_ptr<Conten
       continue;
     }
     try {
+      run.contender->LimitTime(options.seconds_of_users);
       run.contender->Load(family);
       rows.push_back(JudgedRow(run, family, whole, judge));
       runs.push_back(std::move(run));

@@ -30,6 +30,8 @@ bool IsTwin(std::string_view name);
 struct BenchOptions {
   /// Rounds of a family go on until this is used up, within the two limits. Errors are part of it.
   double seconds_per_family = 4;
+  /// The most that all draws of one user's method may take of a family.
+  double seconds_of_users = 60;
   std::size_t least_rounds = 9;
   std::size_t most_rounds = 61;
   /// Triangles are judged until their boxes add up to this.
@@ -50,7 +52,8 @@ enum class ContenderChoice : std::uint8_t {
 std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice);
 
 /// Adds the measurements of one family to the result. Every contender that draws the family draws
-/// it once a round, after a draw that is not counted.
+/// it once a round, after a draw that is not counted. A user's whose draws would take longer than
+/// options.seconds_of_users leave is left out with the reason.
 ///
 /// Domain:     the contenders of earlier calls for the same result, in the same order; the family's
 ///             baseline and twin among them, or the first one stands in for both.

@@ -7,6 +7,8 @@
 #include <span>
 #include <string>
 
+#include "core/clock.h"
+
 namespace rasterproof::bench {
 
 std::uint32_t ParameterIn(BenchResult& result, const BenchParameter& parameter) {
@@ -36,13 +38,18 @@ bool IsAsked(const Contender& contender, std::span<const std::string> names) {
 }
 
 void ForEachDrawer(std::span<const std::unique_ptr<Contender>> contenders,
-                   std::span<const std::string> names, BenchResult& result,
+                   std::span<const std::string> names, double end, const std::string& what,
+                   BenchResult& result,
                    const std::function<void(SceneDrawer& drawer, std::uint32_t method)>& call) {
   std::set<std::string> seen;
   for (const auto& contender : contenders) {
     if (!IsAsked(*contender, names) || !contender->DrawsAlone() ||
         !seen.insert(contender->method().name).second)
       continue;
+    if (WallSeconds() > end) {
+      result.not_measured.push_back(what + ": " + contender->method().name);
+      continue;
+    }
     const std::unique_ptr<SceneDrawer> drawer = DrawerOf(*contender);
     call(*drawer, MethodIn(result, contender->method()));
   }

@@ -26,10 +26,12 @@ std::uint32_t MethodIn(BenchResult& result, const BenchMethod& method);
 bool IsAsked(const Contender& contender, std::span<const std::string> names);
 
 /// Calls for the first contender of each name that draws triangles alone; the baseline's twin is
-/// left out, and so is what `names` does not name, unless it is empty.
+/// left out, and so is what `names` does not name, unless it is empty. From `end` on, as
+/// WallSeconds(), it calls no more: `what` of the others was not measured.
 /// Methods that the result lacks are added.
 void ForEachDrawer(std::span<const std::unique_ptr<Contender>> contenders,
-                   std::span<const std::string> names, BenchResult& result,
+                   std::span<const std::string> names, double end, const std::string& what,
+                   BenchResult& result,
                    const std::function<void(SceneDrawer& drawer, std::uint32_t method)>& call);
 
 }  // namespace rasterproof::bench

@@ -139,7 +139,7 @@ double ProvedTo(const BenchMethod& method, const Parameter& parameter) {
 void RunCliffs(std::span<const std::unique_ptr<Contender>> contenders, const LimitOptions& options,
                BenchResult& result) {
   JudgedCases cases;
-  ForEachDrawer(contenders, options.methods, result,
+  ForEachDrawer(contenders, options.methods, options.end, "limits", result,
                 [&](SceneDrawer& drawer, std::uint32_t method) {
                   AddCliffs(drawer, method, options, cases, result);
                 });

@@ -3,6 +3,7 @@
 #define RASTERPROOF_BENCH_CLIFF_H_
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -20,6 +21,8 @@ struct LimitOptions {
   /// Names of parameters and of methods; empty: all.
   std::vector<std::string> parameters;
   std::vector<std::string> methods;
+  /// WallSeconds() from which on no more methods are begun.
+  double end = std::numeric_limits<double>::infinity();
   /// Called with what is being done. May be empty.
   std::function<void(const std::string&)> progress;
 };

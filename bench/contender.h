@@ -56,6 +56,9 @@ class Contender {
   virtual std::optional<std::string> WhyNot(const FamilyInput& family) const = 0;
   /// Makes ready to draw the family. Not timed. The family outlives the draws.
   virtual void Load(const FamilyInput& family) = 0;
+  /// The most seconds that all draws of a family may take. A user's whose draws take longer says so
+  /// by a SubjectStop at Load().
+  virtual void LimitTime(double /*seconds*/) {}
   /// Clears the target, not timed, then draws the family once, timed.
   ///
   /// Domain:     after Load().
@@ -122,11 +125,13 @@ std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first
 
 /// A user's subject in another process. Its time is the slope of the processor time of all its
 /// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and
-/// answering drop out; of one that takes no repeats, over requests in one call.
+/// answering drop out; of one that takes no repeats, over requests in one call. The name is the
+/// subject's own unless one is given.
 ///
 /// Domain:     as MakeSubjectContender.
 /// Error:      of its calls: what the subject throws, where it breaks down over a family.
-std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds = 10);
+std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds = 10,
+                                                std::string name = "");
 
 /// Seconds that storing one pixel takes at least, by the widest vectors. Measured when first asked
 /// for.

@@ -92,6 +92,11 @@ void AddCosts(std::span<const std::unique_ptr<Contender>> contenders, const Curv
   const std::uint32_t at = ParameterIn(result, parameter);
   std::vector<BenchCurve> curves;
   for (const double value : values) {
+    if (WallSeconds() > options.end) {
+      result.not_measured.push_back("costs over " + parameter.name + " from " +
+                                    std::to_string(std::llround(value)) + " on");
+      break;
+    }
     const CostPoint point{value, FamilyOf(scene_of(value), "")};
     if (options.progress) options.progress(parameter.name + ": " + std::to_string(value));
     std::size_t k = 0;

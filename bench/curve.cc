@@ -52,7 +52,7 @@ std::vector<BenchPoint> ErrorCurve(SceneDrawer& drawer, const Parameter& paramet
 void RunCurves(std::span<const std::unique_ptr<Contender>> contenders, const CurveOptions& options,
                BenchResult& result) {
   JudgedCases cases;
-  ForEachDrawer(contenders, options.methods, result,
+  ForEachDrawer(contenders, options.methods, options.end, "error curves", result,
                 [&](SceneDrawer& drawer, std::uint32_t method) {
                   AddCurves(drawer, method, options, cases, result);
                 });

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ struct CurveOptions {
   /// Costs are measured up to this number of triangles. 10^7 take 2 GB and a second a draw.
   std::uint64_t most_triangles = 100'000;
   std::size_t rounds = 5;  ///< of each cost
+  /// WallSeconds() from which on no more methods, and no more costs, are begun.
+  double end = std::numeric_limits<double>::infinity();
   /// Called with what is being done. May be empty.
   std::function<void(const std::string&)> progress;
 };

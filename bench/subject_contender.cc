@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <span>
@@ -63,6 +64,7 @@ class SubjectContender : public Contender {
     return DrawOne(subject_, Job(scene_)).counts;
   }
 
+  void LimitTime(double seconds) override { most_of_a_family_ = seconds; }
   bool IsSlowAlone() const override { return true; }
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override {
@@ -121,6 +123,18 @@ class SubjectContender : public Contender {
   }
 
  protected:
+  // Judged as a whole, alone for a while, and measured in one round.
+  void RequireTimeFor(double one_draw) const {
+    constexpr int kDraws = 15;
+    if (kDraws * one_draw <= most_of_a_family_) return;
+    std::array<char, 200> why{};
+    std::snprintf(
+        why.data(), why.size(),
+        "a draw takes %.2g s, and %d of them more than the %.2g s that the budget has for "
+        "it here; give a --budget %.1f times as large, or fewer families",
+        one_draw, kDraws, most_of_a_family_, std::max(1.1, kDraws * one_draw / most_of_a_family_));
+    throw SubjectStop(Stop::kTooSlow, why.data());
+  }
   Scene SceneAlone(std::size_t triangle) const {
     Scene alone;
     alone.name = scene_->name;
@@ -152,6 +166,7 @@ class SubjectContender : public Contender {
   Subject& subject_;
   std::shared_ptr<const Scene> scene_;
   std::shared_ptr<const Scene> empty_;
+  double most_of_a_family_ = INFINITY;
   std::uint64_t outside_ = 0;  // samples outside of the areas of triangles drawn alone
 };
 
@@ -176,7 +191,10 @@ class LibraryContender final : public SubjectContender {
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
     if (first_ != nullptr) {
-      InTime(most_seconds_, [&] { DrawOne(*first_, Job(scene_)); });
+      double one = 0;
+      InTime(most_seconds_,
+             [&] { one = Timed([&] { DrawOne(*first_, Job(scene_)); }).wall_seconds; });
+      RequireTimeFor(one);
     }
   }
 
@@ -220,8 +238,9 @@ Line FittedLine(std::span<const double> draws, std::span<const double> seconds) 
 
 class ProgramContender final : public SubjectContender {
  public:
-  ProgramContender(Subject& subject, double most_seconds)
+  ProgramContender(Subject& subject, double most_seconds, std::string name)
       : SubjectContender(subject), most_seconds_(most_seconds) {
+    if (!name.empty()) method_.name = std::move(name);
     method_.times_requests = !subject.Info().takes_repeats;
     if (method_.clock != BenchClock::kWall) method_.clock = BenchClock::kProgram;
   }
@@ -231,6 +250,7 @@ class ProgramContender final : public SubjectContender {
     SubjectContender::Load(family);
     InTime(most_seconds_, [&] { TimeOf(Job(scene_), 1); });
     const double one = TimeOf(Job(scene_), 1).wall_seconds;
+    RequireTimeFor(one);
     if (method_.times_requests) {
       conversion_seconds_ = SlopeOf(Job(empty_), 1).seconds / Triangles();
     }
@@ -290,8 +310,9 @@ std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first
   return std::make_unique<LibraryContender>(subject, first, most_seconds);
 }
 
-std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds) {
-  return std::make_unique<ProgramContender>(subject, most_seconds);
+std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds,
+                                                std::string name) {
+  return std::make_unique<ProgramContender>(subject, most_seconds, std::move(name));
 }
 
 }  // namespace rasterproof::bench

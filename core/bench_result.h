@@ -254,6 +254,8 @@ struct BenchResult {
   std::vector<BenchFamily> families;
   std::vector<BenchRow> rows;
   std::vector<BenchLeftOut> left_out;
+  /// What the budget left no time for: "families: map", "limits: mine.so".
+  std::vector<std::string> not_measured;
   std::vector<BenchParameter> parameters;
   std::vector<BenchCurve> curves;
   std::vector<BenchCliff> cliffs;

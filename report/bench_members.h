@@ -207,6 +207,8 @@ void Members(auto& visit, BenchResult& result) {
   visit("families", result.families);
   visit("rows", result.rows);
   visit("left_out", result.left_out);
+  bool lacks_some = !result.not_measured.empty();
+  if (visit.Has("not_measured", lacks_some)) visit("not_measured", result.not_measured);
   visit.Decisions("decisions");
   visit("parameters", result.parameters);
   visit("curves", result.curves);

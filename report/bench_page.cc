@@ -14,6 +14,7 @@
 #include "fmt/format.h"
 #include "report/bench_decision.h"
 #include "report/bench_page_parts.h"
+#include "report/bench_text.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -94,10 +95,10 @@ std::string SettingText(const BenchResult& bench) {
   return fmt::format(
       "<p class=\"why\">Measured on {}, {}, by {}. Processor time of one draw, median of paired "
       "rounds, the target cleared before it. The baseline measured against itself: {:.3f} to "
-      "{:.3f}, the floor of the noise.{}</p>\n{}",
+      "{:.3f}, the floor of the noise.{} {}</p>\n{}",
       Escaped(setting.processor), Escaped(setting.date), Escaped(setting.compiler), least, most,
       setting.is_quick ? " A quick run: families of an eighth of their size." : "",
-      Command(setting.command));
+      Escaped(NotMeasuredText(bench)), Command(setting.command));
 }
 
 constexpr std::string_view kYoursMissing =

@@ -240,8 +240,9 @@ std::string UsersTable(const BenchResult& bench) {
          ColumnKey({{"over the proved", "times as long as the cheapest method proved right"},
                     {"over the fastest", "times as long as the cheapest in the column anything"},
                     {"converting",
-                     "vertices into its own format and its answer into counts, for a "
-                     "triangle: not part of its time"}});
+                     "for a triangle, of a library its vertices into its own format and its "
+                     "answer into counts: not part of its time; of a program that takes no repeats "
+                     "a request for a scene without triangles: part of it"}});
 }
 
 }  // namespace rasterproof::report

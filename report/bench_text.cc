@@ -7,9 +7,11 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "report/bench_decision.h"
 
 namespace rasterproof::report {
@@ -115,6 +117,28 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
 
 }  // namespace
 
+std::string NotMeasuredText(const BenchResult& result) {
+  // "limits: a" and "limits: b" are told together.
+  std::vector<std::pair<std::string_view, std::vector<std::string_view>>> groups;
+  constexpr std::string_view kOf = ": ";
+  for (const std::string_view one : result.not_measured) {
+    const std::size_t of = one.find(kOf);
+    const std::string_view what = one.substr(0, of);
+    auto group = std::ranges::find(groups, what, [](const auto& known) { return known.first; });
+    if (group == groups.end()) group = groups.insert(group, {what, {}});
+    if (of != one.npos) group->second.push_back(one.substr(of + kOf.size()));
+  }
+  if (groups.empty()) return "";
+  std::vector<std::string> words;
+  for (const auto& [what, whose] : groups) {
+    words.push_back(whose.empty() ? std::string(what)
+                                  : fmt::format("{} ({})", what, fmt::join(whose, ", ")));
+  }
+  return fmt::format(
+      "Not measured, for want of time: {}. Give a larger --budget, or choose by --family.",
+      fmt::join(words, "; "));
+}
+
 std::string BenchToTable(const BenchResult& result) {
   const BenchSetting& setting = result.setting;
   std::string table = fmt::format(
@@ -124,7 +148,8 @@ std::string BenchToTable(const BenchResult& result) {
       "triangle's boundary.\n",
       setting.command, setting.processor);
   for (std::size_t at = 0; at < result.families.size(); ++at) table += TableOf(result, at);
-  return table;
+  const std::string lacking = NotMeasuredText(result);
+  return lacking.empty() ? table : table + "\n" + lacking + "\n";
 }
 
 }  // namespace rasterproof::report

@@ -8,6 +8,9 @@
 
 namespace rasterproof::report {
 
+/// What there was no time for, as a sentence; nothing if there was time for all.
+std::string NotMeasuredText(const BenchResult& result);
+
 /// A table a family, cheapest first within a sink.
 std::string BenchToTable(const BenchResult& result);
 

@@ -215,8 +215,17 @@ struct Contenders {
     }
     for (const std::string& name : ProgramNames(options)) {
       outside.push_back(ProgramOf(name));
-      list.push_back(bench::MakeProgramContender(*outside.back(), most_seconds));
+      list.push_back(
+          bench::MakeProgramContender(*outside.back(), most_seconds, NameOf(*outside.back())));
     }
+  }
+
+  // The name that a program's description states, unless another one has it.
+  std::string NameOf(const Subject& program) const {
+    const SubjectInfo& info = program.Info();
+    const bool is_taken = std::ranges::any_of(
+        list, [&](const auto& other) { return other->method().name == info.stated_name; });
+    return info.stated_name.empty() || is_taken ? info.name : info.stated_name;
   }
 
   std::span<const std::unique_ptr<bench::Contender>> Own() const {
@@ -224,11 +233,25 @@ struct Contenders {
   }
 };
 
+// Seconds of one draw of next to nothing: what asking it costs.
+double SecondsOfAsking(Subject& subject) {
+  Scene tiny;
+  tiny.width = tiny.height = 8;
+  tiny.vertices = {{1, 1}, {1, 2}, {2, 1}};
+  tiny.triangles = {{0, 1, 2}};
+  if (!Takes(subject.Info(), tiny)) return 0;
+  const DrawJob job(std::move(tiny), {}, 1);
+  DrawOne(subject, job);  // starts it
+  return Timed([&] { DrawOne(subject, job); }).wall_seconds;
+}
+
 // Where each method ends, and how it gets there: costs of all sizes where there is time.
-void AddLimits(const Contenders& contenders, Progress& progress, BenchResult& result) {
+void AddLimits(const Contenders& contenders, double end, Progress& progress, BenchResult& result) {
   bench::LimitOptions limits;
+  limits.end = end;
   limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
   bench::CurveOptions curves;
+  curves.end = end;
   curves.progress = limits.progress;
   if (result.setting.is_quick) {
     for (const bench::Parameter& parameter : bench::Parameters()) {
@@ -241,6 +264,12 @@ void AddLimits(const Contenders& contenders, Progress& progress, BenchResult& re
   bench::RunCurves(contenders.Own(), curves, result);
   for (std::size_t k = 0; k < contenders.outside.size(); ++k) {
     const bench::Contender& contender = *contenders.list[contenders.own + k];
+    const double one = SecondsOfAsking(*contenders.outside[k]);
+    constexpr int kDrawsOfLimits = 4000;
+    if (WallSeconds() + kDrawsOfLimits * one > end) {
+      result.not_measured.push_back("limits: " + contender.method().name);
+      continue;
+    }
     const auto drawer = bench::DrawerOf(*contenders.outside[k], contender.method());
     bench::RunCliffs(*drawer, limits, result);
     bench::RunCurves(*drawer, curves, result);
@@ -250,7 +279,13 @@ void AddLimits(const Contenders& contenders, Progress& progress, BenchResult& re
 // Draws how each method decides one sample over neighbouring inputs, and measures how far each
 // stage of a frame moves it. Only the project's methods: a user's library might crash on inputs
 // that no family has.
-void AddPictures(const Contenders& contenders, Progress& progress, BenchResult& result) {
+void AddPictures(const Contenders& contenders, double end, Progress& progress,
+                 BenchResult& result) {
+  if (WallSeconds() > end) {
+    result.not_measured.emplace_back("fingerprints");
+    result.not_measured.emplace_back("stages of a frame");
+    return;
+  }
   progress.Stage("fingerprints");
   const std::array steps{bench::kFingerprintSteps[0], bench::kFingerprintSteps[2]};
   RunFingerprints(contenders.Own(), steps, "", result);
@@ -258,29 +293,50 @@ void AddPictures(const Contenders& contenders, Progress& progress, BenchResult& 
   bench::RunStages(result.setting.is_quick ? 4 : 2, result);
 }
 
-BenchResult Measured(const BenchOptions& options) {
-  const Contenders contenders(options);
-  const std::vector<bench::FamilyInput> families = FamiliesOf(options);
-  BenchResult result;
-  result.setting = SettingOf(options);
-  Progress progress;
-  progress.Stage("bench");
+// What is begun is measured whole: the first family always, another one while there is time for one
+// as long as those before.
+void AddFamilies(const Contenders& contenders, const BenchOptions& options, double end,
+                 Progress& progress, BenchResult& result) {
   bench::BenchOptions bench_options;
   // Six are the least that give an interval of 95 %.
   bench_options.least_rounds = options.budget < kFullFrom ? 6 : 9;
   bench_options.judged_pixels = options.budget < kFullFrom ? 200'000 : 4'000'000;
   bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
-  const double end = WallSeconds() + options.budget;
-  for (const auto& contender : contenders.list) result.methods.push_back(contender->method());
-  const bool is_whole = options.families.empty() && options.scenes.empty();
-  if (is_whole) {
-    AddLimits(contenders, progress, result);
-    AddPictures(contenders, progress, result);
-  }
+  constexpr double kLeastOfAUsers = 5;  // seconds: at any budget it draws the first family
+  const double begun = WallSeconds();
+  const std::vector<bench::FamilyInput> families = FamiliesOf(options);
   auto left = static_cast<double>(families.size());
   for (const bench::FamilyInput& family : families) {
-    bench_options.seconds_per_family = (end - WallSeconds()) / left--;
-    bench::RunFamily(family, contenders.list, bench_options, result);
+    const double remaining = end - WallSeconds();
+    const std::size_t measured = result.families.size();
+    const double of_one =
+        measured == 0 ? 0 : (WallSeconds() - begun) / static_cast<double>(measured);
+    bench_options.seconds_per_family = remaining / left--;
+    bench_options.seconds_of_users = std::max(measured == 0 ? kLeastOfAUsers : 0, remaining / 2);
+    if (measured != 0 && remaining < of_one) {
+      result.not_measured.push_back("families: " + family.name);
+    } else {
+      bench::RunFamily(family, contenders.list, bench_options, result);
+    }
+  }
+}
+
+BenchResult Measured(const BenchOptions& options) {
+  const double begun = WallSeconds();
+  const Contenders contenders(options);
+  BenchResult result;
+  result.setting = SettingOf(options);
+  Progress progress;
+  progress.Stage("bench");
+  for (const auto& contender : contenders.list) result.methods.push_back(contender->method());
+  const bool is_whole = options.families.empty() && options.scenes.empty();
+  constexpr double kShareOfFamilies = 0.7;
+  const double end = begun + options.budget;
+  const double end_of_families = is_whole ? begun + kShareOfFamilies * options.budget : end;
+  AddFamilies(contenders, options, end_of_families, progress, result);
+  if (is_whole) {
+    AddLimits(contenders, end, progress, result);
+    AddPictures(contenders, end, progress, result);
   }
   return result;
 }

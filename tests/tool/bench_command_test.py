@@ -123,6 +123,36 @@ class Bench(unittest.TestCase):
         self.assertIn("is left out: its answer to 1024 draws takes no longer than to one",
                       done.stdout)  # fmt: skip
 
+    def test_a_program_too_slow_for_the_budget_is_left_out_at_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            program = os.path.join(folder, "slow.py")
+            with open(program, "w", encoding="utf-8") as file:
+                file.write("import time\n" + BLANK.replace("    row =", "    time.sleep(0.5)\n    row ="))
+            said = os.path.join(folder, "slow.subject")
+            with open(said, "w", encoding="utf-8") as file:
+                file.write(f"name sleepy\ncommand {sys.executable} {program}\ntakes window\n")
+            done = bench("--scene", "scenes/ties.json", *FEW, "--subject", said)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertRegex(done.stdout, r"sleepy is left out: a draw takes [\d.]+ s, and 15 of them "
+                                      r"more than the 5 s that the budget has for it here")
+
+    def test_what_the_budget_has_no_time_for_is_said(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "bench.json")
+            done = bench("--family", "ties", "--family", "glyphs", "--family", "mesh", *FEW,
+                         "--json", path)  # fmt: skip
+            again = bench("--from", path)
+            with open(path, encoding="utf-8") as file:
+                result = json.load(file)
+        measured = [family["name"] for family in result["families"]]
+        lacking = ["families: " + name for name in ("mesh", "ties", "glyphs")
+                   if name not in measured]  # fmt: skip
+        self.assertTrue(lacking, done.stdout)
+        self.assertEqual(result["not_measured"], lacking)
+        said = "Not measured, for want of time: families ("
+        self.assertIn(said, done.stdout)
+        self.assertIn(said, again.stdout)
+
     def test_a_plugin_that_crashes_is_left_out_and_ends_nothing(self):
         plugin = os.path.join(EXAMPLES, "../test_plugins/buggy_CRASH.so")
         done = bench("--scene", "scenes/ties.json", *FEW, "--plugin", plugin)

@@ -41,6 +41,12 @@ function(rasterproof_install_headers)
   endwhile()
 endfunction()
 
+# All that is installed is built by `cmake --build build --target rasterproof_parts`, and by
+# `./run build`: nothing else, no tests and no examples.
+if(RASTERPROOF_INSTALL)
+  add_custom_target(rasterproof_parts)
+endif()
+
 # rasterproof_component(NAME TARGETS target ... [HEADERS header ...]): of the installed package and,
 # for find_package() with rasterproof_DIR, of the one that is this build tree.
 function(rasterproof_component name)
@@ -48,6 +54,7 @@ function(rasterproof_component name)
   if(NOT RASTERPROOF_INSTALL)
     return()
   endif()
+  add_dependencies(rasterproof_parts ${ARG_TARGETS})
   install(TARGETS ${ARG_TARGETS} EXPORT rasterproof-${name}
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

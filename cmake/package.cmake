@@ -1,12 +1,24 @@
 # `cpack -G DEB` in a build tree: one package with the command, its scenes, the kit, both libraries
 # and the documents. `cmake --install` installs the same below any prefix.
 set(doc ${CMAKE_INSTALL_DATADIR}/doc/rasterproof)
-install(FILES README.md CHANGELOG.md DESTINATION ${doc})
 install(FILES cmake/package/copyright DESTINATION ${doc})
-install(DIRECTORY docs/ DESTINATION ${doc}/docs
-  FILES_MATCHING PATTERN "*.md" PATTERN "*.svg" PATTERN "decisions" EXCLUDE
-  PATTERN "findings" EXCLUDE PATTERN "wrong-tests" EXCLUDE)
 install(DIRECTORY kit/examples DESTINATION ${doc})
+
+# The documents, with links to what is installed alone, and Debian's changelog. gzip -n: the same
+# bytes from the same text.
+find_package(Python3 REQUIRED COMPONENTS Interpreter)
+set(installed ${PROJECT_BINARY_DIR}/installed)
+file(GLOB_RECURSE documents CONFIGURE_DEPENDS docs/*)
+add_custom_command(OUTPUT ${installed}/documents.stamp
+  COMMAND Python3::Interpreter -B ${PROJECT_SOURCE_DIR}/scripts/installed_docs
+    ${installed}/documents ${installed}/changelog
+  COMMAND gzip -9nf ${installed}/changelog
+  COMMAND ${CMAKE_COMMAND} -E touch ${installed}/documents.stamp
+  DEPENDS ${documents} README.md CHANGELOG.md scripts/installed_docs VERBATIM)
+add_custom_target(rasterproof_documents ALL DEPENDS ${installed}/documents.stamp)
+add_dependencies(rasterproof_parts rasterproof_documents)
+install(DIRECTORY ${installed}/documents/ DESTINATION ${doc})
+install(FILES ${installed}/changelog.gz DESTINATION ${doc})
 
 # gzip -n: the same bytes from the same text.
 function(rasterproof_install_compressed source name destination)
@@ -18,7 +30,6 @@ function(rasterproof_install_compressed source name destination)
 endfunction()
 rasterproof_install_compressed(cmake/package/rasterproof.1 rasterproof.1
   ${CMAKE_INSTALL_MANDIR}/man1)
-rasterproof_install_compressed(cmake/package/changelog changelog ${doc})
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR rasterproof)

@@ -13,9 +13,10 @@
 //
 // A test runs `rasterproof check` on the property; Mine draws in a process of its own, which is
 // this test program begun again. A crash or a hang fails that test alone, and the text of a failure
-// is the command's. A property that does not apply, or that no case exercised, is skipped with the
-// reason. Filters, shards and repeats are GoogleTest's. Seed and number of cases are fixed, so that
-// a run is the same tomorrow; more options of `check` are taken from the environment variable
+// is the command's; the first one of a suite in a process tells causes, too. A property that does
+// not apply to what Mine says of itself has no test, and one that no case exercised is skipped with
+// the reason. Filters, shards and repeats are GoogleTest's. Seed and number of cases are fixed, so
+// that a run is the same tomorrow; more options of `check` are taken from the environment variable
 // RASTERPROOF_CHECK_OPTIONS ("--time-limit 1": what hangs costs ten times that once a test).
 //
 // "--known known.json" there is a list of known failures: they are skipped with owner and day, and
@@ -100,10 +101,13 @@ inline Ended ShellOutput(const std::string& line) {
   return ended;
 }
 
-// Names of all properties; empty if there is no such command.
-inline std::vector<std::string> PropertyNames() {
+// Names of the properties that apply to the subject; empty if there is no such command. Where it
+// can't read the description it lists all, and each test tells why.
+inline std::vector<std::string> PropertyNames(const std::string& subject) {
   std::vector<std::string> names;
-  const Ended listed = ShellOutput(Quoted(Command()) + " list properties 2>/dev/null");
+  const std::string list = Quoted(Command()) + " list properties";
+  const std::string those = " --subject " + Quoted(subject) + " 2>/dev/null";
+  const Ended listed = ShellOutput(list + those + " || " + list + " 2>/dev/null");
   std::size_t begin = 0;
   while (listed.status == 0 && begin < listed.output.size()) {
     const std::size_t end = listed.output.find('\n', begin);
@@ -211,10 +215,13 @@ class PropertyTest : public ::testing::Test {
     ASSERT_TRUE(description.is_written())
         << "rasterproof: " << description.path() << " can't be written; set TEST_TMPDIR";
     const char* const more = std::getenv("RASTERPROOF_CHECK_OPTIONS");
-    const Ended ended =
-        ShellOutput(Quoted(Command()) + " check --subject " + Quoted(description.path()) +
-                    " --property " + property_ + " --cases " + std::to_string(suite_.cases) +
-                    " --jobs 1 " + (more == nullptr ? "" : more) + " 2>&1");
+    static std::vector<std::string> have_told_causes;  // suites
+    const bool is_told =
+        std::count(have_told_causes.begin(), have_told_causes.end(), suite_.name) != 0;
+    const Ended ended = ShellOutput(
+        Quoted(Command()) + " check --subject " + Quoted(description.path()) + " --property " +
+        property_ + " --cases " + std::to_string(suite_.cases) + " --jobs 1 " +
+        (is_told ? "--no-cause " : "") + (more == nullptr ? "" : more) + " 2>&1");
     if (ended.status == 0) {
       const std::string known = LineOf(ended.output, description.path(), {"known"});
       if (!known.empty()) GTEST_SKIP() << known;
@@ -226,7 +233,10 @@ class PropertyTest : public ::testing::Test {
         LineOf(ended.output, description.path(), {"not applicable", "not exercised"});
     if (ended.status == kNothingJudged && !why.empty()) GTEST_SKIP() << why;
     description.Keep();  // the command to type again names it
-    ADD_FAILURE() << ended.output;
+    ADD_FAILURE() << ended.output
+                  << (is_told ? "causes: see the suite's first failure, or run this one alone\n"
+                              : "");
+    have_told_causes.push_back(suite_.name);
   }
 
  private:
@@ -283,7 +293,7 @@ rasterproof_plugin PluginOf(const char* name, const char* profile) {
 
 }  // namespace gtest_internal
 
-/// Registers a test of each property. The suite lives as long as the program.
+/// Registers a test of each property that applies. The suite lives as long as the program.
 ///
 /// Returns:    the number of tests.
 inline int RegisterTests(const Suite& suite, const char* file, int line) {
@@ -296,7 +306,9 @@ inline int RegisterTests(const Suite& suite, const char* file, int line) {
     add("Serve", [&suite]() -> ::testing::Test* { return new gtest_internal::ServeTest(suite); });
     return 1;
   }
-  const std::vector<std::string> names = gtest_internal::PropertyNames();
+  const gtest_internal::DescriptionFile description(suite.name,
+                                                    gtest_internal::DescriptionOf(suite));
+  const std::vector<std::string> names = gtest_internal::PropertyNames(description.path());
   for (const std::string& name : names) {
     add(name, [&suite, name]() -> ::testing::Test* {
       return new gtest_internal::PropertyTest(suite, name);

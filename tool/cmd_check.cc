@@ -61,10 +61,13 @@ namespace {
 using Properties = std::vector<const props::Property*>;
 
 // Keeps the files saved before: the next run asks them first. Returns the new one's path.
-std::string SaveCounterexample(const std::string& folder, const PropertyResult& result) {
+// The file is named by the name that the subject gives itself, if it does: a build's path is
+// another one elsewhere.
+std::string SaveCounterexample(const std::string& folder, const std::string& stated_name,
+                               const PropertyResult& result) {
   io::MakeFolder(folder);
-  const std::string stem =
-      fmt::format("{}/{}-{}", folder, FileNameOf(result.subject), result.property);
+  const std::string& name = stated_name.empty() ? result.subject : stated_name;
+  const std::string stem = fmt::format("{}/{}-{}", folder, FileNameOf(name), result.property);
   std::string path = stem + ".json";
   for (int n = 2; std::filesystem::exists(path); ++n) path = fmt::format("{}-{}.json", stem, n);
   const auto& found = *result.counterexample;
@@ -211,8 +214,9 @@ Finding FindingOf(Subject& subject, PropertyResult result, const CheckOptions& o
   if (!finding.result.counterexample) return finding;
   const Counterexample& found = *finding.result.counterexample;
   CaseChoice choice;
-  choice.path = options.save.empty() ? InlineCase(found.value)
-                                     : SaveCounterexample(options.save, finding.result);
+  choice.path = options.save.empty()
+                    ? InlineCase(found.value)
+                    : SaveCounterexample(options.save, subject.Info().stated_name, finding.result);
   if (choice.path.empty()) choice.name = found.failing_case;
   finding.failure =
       Shown(subject, finding.result.property, found.value, found.verdict, choice, options);

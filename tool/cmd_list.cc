@@ -1,4 +1,6 @@
 // rasterproof list: what there is to choose from.
+#include <memory>
+#include <optional>
 #include <string>
 
 #include "core/error.h"
@@ -11,7 +13,9 @@
 #include "io/output.h"
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
+#include "props/judging/gate.h"
 #include "props/property.h"
+#include "props/run/description.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/commands.h"
 #include "tool/list_clauses.h"
@@ -36,9 +40,17 @@ std::string ListSubjects() {
   return text;
 }
 
-std::string ListProperties() {
+// All properties, or those that apply to the subject by what it says of itself.
+std::string ListProperties(const std::string& subject) {
+  std::optional<props::Description> described;
+  std::unique_ptr<Subject> made;
+  if (!subject.empty()) {
+    made = MakeSubject(subject);
+    described = props::AsJudged(props::DescriptionOf(*made));
+  }
   std::string text = "properties\n";
   for (const props::Property& property : props::Catalog()) {
+    if (described && props::DoesNotApply(property.gate, *described)) continue;
     text += fmt::format("  {} ({})\n    enforces: {}\n    applies:  {}\n    limit:    {}\n",
                         property.name, property.group, property.clause,
                         props::WordsOf(property.gate), property.tolerance);
@@ -145,10 +157,14 @@ int RunList(const ListOptions& options) {
     throw InputError(options.prefix, "only of clauses is a part listed",
                      "write list clauses " + options.prefix + ", or leave it out");
   }
+  if (!options.subject.empty() && options.what != "properties") {
+    throw InputError("--subject " + options.subject, "only properties apply to a subject",
+                     "write list properties --subject " + options.subject);
+  }
   std::string text;
   const bool all = options.what == "all";
   if (all || options.what == "subjects") text += ListSubjects();
-  if (all || options.what == "properties") text += ListProperties();
+  if (all || options.what == "properties") text += ListProperties(options.subject);
   if (all || options.what == "domains") text += ListDomains();
   if (all || options.what == "worlds") text += ListWorlds();
   if (all || options.what == "profiles") text += ListProfiles();

@@ -68,6 +68,7 @@ void AddList(CLI::App& app, Run& run) {
   verb->add_option("prefix", options.prefix,
                    "Of clauses: those whose names begin so, vulkan or gl.common-edge");
   verb->add_flag("--json", options.json, "Clauses as JSON");
+  verb->add_option("--subject", options.subject, "Of properties: those that apply to it");
   verb->callback([&run] { run = [] { return RunList(options); }; });
 }
 

@@ -37,8 +37,9 @@ struct ListOptions {
   /// "subjects", "properties", "domains", "worlds", "profiles", "mutants", "keys", "clauses", or
   /// "all" but the last two
   std::string what = "all";
-  std::string prefix;  ///< of clauses: those whose ids begin so; empty: all
-  bool json = false;   ///< of clauses
+  std::string prefix;   ///< of clauses: those whose ids begin so; empty: all
+  bool json = false;    ///< of clauses
+  std::string subject;  ///< of properties: those that apply to it; empty: all
 };
 int RunList(const ListOptions& options);
 

@@ -90,8 +90,12 @@ void Progress::Show() {
   const std::string total = work.total == 0 ? "" : std::to_string(work.total);
   if (!terminal_) {
     const double seconds = std::chrono::duration<double>(Clock::now() - work.began).count();
-    Tell(fmt::format("  {}: {}{} after {:.0f} s{}\n", work.stage, work.done,
-                     total.empty() ? "" : " of " + total, seconds, more));
+    // Nothing is counted where nothing is known of how much there is.
+    const bool counts = work.done != 0 || work.total != 0;
+    const std::string done =
+        counts ? fmt::format("{}{} after", work.done, total.empty() ? "" : " of " + total)
+               : "at work for";
+    Tell(fmt::format("  {}: {} {:.0f} s{}\n", work.stage, done, seconds, more));
     return;
   }
   constexpr std::uint64_t kWidth = 30;

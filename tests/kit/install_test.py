@@ -79,6 +79,13 @@ class Installed(unittest.TestCase):
                    "2", "--build", "-O3", cwd=self.folder.name)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
+    def test_documents_link_to_what_is_installed(self):
+        done = run(sys.executable, "-B", os.path.join(SOURCES, "scripts/check_links"), self.prefix)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        documents = os.path.join(self.prefix, "share/doc/rasterproof/docs")
+        for name in ("wrong-tests.md", "wrong-tests", "decisions"):
+            self.assertTrue(os.path.exists(os.path.join(documents, name)), name)
+
     def test_headers_need_no_other_folder(self):
         for header in HEADERS:
             path = os.path.join(self.prefix, "include/rasterproof", header)
@@ -98,16 +105,37 @@ class Installed(unittest.TestCase):
         self.assertEqual(self.built.returncode, 0, self.built.stdout)
         done = run("ctest", "--test-dir", self.own, "--output-on-failure")
         self.assertEqual(done.returncode, 0, done.stdout)
-        self.assertRegex(done.stdout, r"100% tests passed.* out of 5")
+        self.assertRegex(done.stdout, r"100% tests passed.* out of 6")
         self.assertEqual(run(os.path.join(self.own, "own_fuzzer"), "-runs=1").returncode, 0)
 
     def test_a_right_rasterizer_passes_every_property_that_applies(self):
         found = outcomes(done := self.suite("suites_test", "--gtest_filter=Right.*"))
         self.assertEqual(found["FAILED"], set(), done.stdout)
         self.assertIn("Right.CoverageEqualsTheModel", found["OK"])
-        self.assertIn("Right.ScissorOnlyCutsCoverage", found["SKIPPED"])
-        self.assertIn("the subject takes no scissor", done.stdout)
         self.assertEqual(done.returncode, 0)
+
+    def test_a_property_that_does_not_apply_has_no_test(self):
+        listed = self.suite("suites_test", "--gtest_list_tests").stdout
+        self.assertIn("  CoverageEqualsTheModel", listed)
+        self.assertNotIn("ScissorOnlyCutsCoverage", listed)  # the subject takes no scissor
+        self.assertNotIn("DepthIsTheInterpolated", listed)
+        done = self.suite("suites_test", "--gtest_filter=Right.*",
+                          RASTERPROOF_CHECK_OPTIONS="--cases 3")  # fmt: skip
+        # A program on a pipe is not asked for large targets, case by case.
+        self.assertEqual(outcomes(done)["SKIPPED"], {"Right.LargeTargetIsCoveredLikeASmallOne"})
+
+    def test_causes_are_told_once_a_suite_and_saved_files_have_its_name(self):
+        saved = os.path.join(self.folder.name, "saved")
+        done = self.suite("mine_test", "--gtest_filter=*.SharedEdgeSamplesAreCoveredOnce:"
+                          "*.CoverageEqualsTheModel",
+                          RASTERPROOF_CHECK_OPTIONS=f"--save {saved}")  # fmt: skip
+        self.assertEqual(len(outcomes(done)["FAILED"]), 2, done.stdout)
+        self.assertEqual(len(re.findall(r"^cause: ", done.stdout, re.M)), 1, done.stdout)
+        self.assertEqual(done.stdout.count("causes: see the suite's first failure"), 1)
+        self.assertEqual(set(os.listdir(saved)),
+                         {"Textbook-CoverageEqualsTheModel.json",
+                          "Textbook-SharedEdgeSamplesAreCoveredOnce.json"})  # fmt: skip
+        self.assertNotRegex(done.stdout, r"front \d, back \d")
 
     def test_a_wrong_one_fails_with_what_the_command_prints_and_replays(self):
         done = self.suite("mine_test", "--gtest_filter=*.SharedEdgeSamplesAreCoveredOnce",

@@ -127,7 +127,8 @@ class Bench(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             program = os.path.join(folder, "slow.py")
             with open(program, "w", encoding="utf-8") as file:
-                file.write("import time\n" + BLANK.replace("    row =", "    time.sleep(0.5)\n    row ="))
+                slow = BLANK.replace("    row =", "    time.sleep(0.5)\n    row =")
+                file.write("import time\n" + slow)
             said = os.path.join(folder, "slow.subject")
             with open(said, "w", encoding="utf-8") as file:
                 file.write(f"name sleepy\ncommand {sys.executable} {program}\ntakes window\n")

@@ -17,8 +17,9 @@ LANGUAGES = ("cpp", "python", "typescript", "readmemh")
 
 
 def scene(vertices, precision="float32", **more):
-    return json.dumps({"rasterproof_scene": 1, "width": 5, "height": 3, "precision": precision,
-                       "vertices": vertices, "triangles": [[0, 1, 2], [2, 1, 0]], **more})  # fmt: skip
+    return json.dumps({"rasterproof_scene": 1, "width": 5, "height": 3,
+                       "precision": precision, "vertices": vertices,
+                       "triangles": [[0, 1, 2], [2, 1, 0]], **more})  # fmt: skip
 
 
 def printed(given, language, *arguments):

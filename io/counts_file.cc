@@ -231,7 +231,63 @@ CoverageCounts FromText(std::string_view text, const std::string& path,
                    "give one row of counts for each row of pixels");
 }
 
+// Levels of grey as shares of white: of `samples` how many.
+std::uint32_t CoveredBy(std::uint32_t level, std::uint32_t white, int samples,
+                        const std::string& place) {
+  const auto all = static_cast<std::uint32_t>(samples);
+  const std::uint32_t covered = (2 * level * all + white) / (2 * white);  // the nearest share
+  const std::int64_t off = std::int64_t{level} * all - std::int64_t{white} * covered;
+  // A level of 8 bits either way, whatever the picture's depth.
+  const std::int64_t slack = std::max<std::int64_t>(white / 255, 1) * all;
+  if (std::abs(off) <= slack) return covered;
+  throw InputError(place,
+                   "the level " + std::to_string(level) + " of " + std::to_string(white) +
+                       " is no share of " + std::to_string(samples) + " samples",
+                   "draw white on black, without dithering, gamma or blending");
+}
+
+std::vector<std::uint32_t> CoveredInPicture(std::string_view bytes, const std::string& path,
+                                            int width, int height, int samples) {
+  Levels levels;
+  if (bytes.starts_with(kPngBegins)) {
+    levels.channels = 3;
+    levels.greatest = 255;
+    for (const auto& pixel : DecodePng(bytes, path, width, height).pixels)
+      levels.values.insert(levels.values.end(), pixel.begin(), pixel.end());
+  } else {
+    levels = DecodeNetpbm(bytes, path, width, height);
+  }
+  std::vector<std::uint32_t> covered;
+  const auto channels = static_cast<std::size_t>(levels.channels);
+  for (std::size_t at = 0; at < levels.values.size(); at += channels) {
+    const std::string place = PlaceIn(path, covered.size(), static_cast<std::size_t>(width));
+    for (std::size_t c = 1; c < channels; ++c) {
+      if (levels.values[at + c] == levels.values[at]) continue;
+      throw InputError(place, "it has a colour", "draw white triangles on black");
+    }
+    covered.push_back(CoveredBy(levels.values[at], levels.greatest, samples, place));
+  }
+  return covered;
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> ReadCovered(const std::string& path, int width, int height,
+                                       int samples) {
+  const std::string bytes = ReadFile(path);
+  if (bytes.starts_with(kPngBegins) || IsNetpbm(bytes))
+    return CoveredInPicture(bytes, path, width, height, samples);
+  const CountsFormat format{.width = width, .height = height};
+  std::vector<std::uint32_t> covered = FromText(bytes, path, format).front;
+  for (std::size_t k = 0; k < covered.size(); ++k) {
+    if (covered[k] <= static_cast<std::uint32_t>(samples)) continue;
+    throw InputError(PlaceIn(path, k, static_cast<std::size_t>(width)),
+                     std::to_string(covered[k]) + " samples are covered, and a pixel has " +
+                         std::to_string(samples),
+                     "give how many of a pixel's samples are covered, or leave out --resolved");
+  }
+  return covered;
+}
 
 CountsFile CountsFrom(std::vector<std::uint32_t> numbers, const std::string& place,
                       const CountsFormat& format) {

@@ -50,7 +50,13 @@ struct CountsFormat {
 /// Domain:     the file has the requested shape.
 /// Error:      InputError with the line, or the column and row, and its fault.
 CountsFile ReadCounts(const std::string& path, const CountsFormat& format);
-/// The same of numbers that are at hand, in the order of CoverageCounts; kDrawing: of a mask.
+/// Reads how many of each pixel's samples are covered, as a multisampled target is resolved: rows of
+/// numbers from 0 to `samples`, or a picture of white triangles on black (PNG, PGM, PPM), whose
+/// levels are shares of white, to one level of 8 bits.
+///
+/// Error:      InputError with the column and row: a colour, or a level that is no such share.
+std::vector<std::uint32_t> ReadCovered(const std::string& path, int width, int height, int samples);
+/// ReadCounts() of numbers that are at hand, in the order of CoverageCounts; kDrawing: of a mask.
 ///
 /// Error:      InputError with `place`, and the column and row if one number is at fault.
 CountsFile CountsFrom(std::vector<std::uint32_t> numbers, const std::string& place,

@@ -221,7 +221,8 @@ void WriteStandardOutput(std::string_view content) {
   const bool flushed = std::cout.flush() && std::fflush(stdout) == 0;
   int error = flushed ? 0 : (errno != 0 ? errno : EIO);
   if (error == 0) error = WriteAll(STDOUT_FILENO, content);
-  if (error != 0) throw CannotWrite("standard output", error);
+  // A reader that has seen enough, as `head`, has closed its end.
+  if (error != 0 && error != EPIPE) throw CannotWrite("standard output", error);
 }
 
 void MakeFolder(const std::string& path) {

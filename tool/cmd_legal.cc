@@ -183,6 +183,7 @@ int RunLegal(const LegalOptions& options) {
                      "give the file of an image, or leave out --facings");
   }
   if (options.decided) return TellDecided(options);
+  if (options.resolved) return JudgeResolved(options);
   std::unique_ptr<Subject> subject;
   if (!options.subject.empty()) subject = MakeSubject(options.subject, options.profile);
   const JudgedScene judged = LoadJudgedScene(options, subject.get());

@@ -71,6 +71,7 @@ struct LegalOptions {
   std::string junit;            ///< of a list; empty: none
   std::string json;             ///< file; empty: none
   std::string save;             ///< the part that no model explains, as a case file
+  bool resolved = false;        ///< `image` shows how many of a pixel's samples are covered
   bool decided = false;         ///< no drawing is judged
   std::string png;              ///< where legal models differ; empty: none
   std::string mask;             ///< the same as grey levels of data; empty: none
@@ -86,6 +87,8 @@ Profile WithAssumptions(Profile profile, const LegalOptions& options);
 std::string AssumedErrorLine(const LegalOptions& options);
 /// What `legal --list` does.
 int JudgeList(const LegalOptions& options);
+/// What `legal --resolved` does.
+int JudgeResolved(const LegalOptions& options);
 /// What `legal --decided` does.
 int TellDecided(const LegalOptions& options);
 

@@ -175,12 +175,23 @@ void AddLegal(CLI::App& app, Run& run) {
           ->excludes(ids)
           ->excludes(facings)
           ->excludes(save);
+  CLI::Option* resolved =
+      verb->add_flag("--resolved", options.resolved,
+                     "The image is what a multisampled target was resolved to: of each pixel how "
+                     "many of its samples are covered, as rows of numbers or as grey, white: all")
+          ->excludes(background)
+          ->excludes(counts)
+          ->excludes(ids)
+          ->excludes(facings)
+          ->excludes(save)
+          ->excludes(decided);
   CLI::Option* list = verb->add_option("--list", options.list,
                                        "File of drawings to judge, each its own (docs/commands.md)")
                           ->excludes(facings)
                           ->excludes(json)
                           ->excludes(save)
-                          ->excludes(decided);
+                          ->excludes(decided)
+                          ->excludes(resolved);
   verb->add_option("--junit", options.junit,
                    "Verdicts on the list as JUnit XML (-: standard output)")
       ->needs(list);

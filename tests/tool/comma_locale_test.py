@@ -15,6 +15,14 @@ HEADERS = [os.path.abspath(sys.argv[3])] if len(sys.argv) > 3 else []
 COMMA = os.path.join(SOURCES, "tests", "tool", "comma", "comma.c")
 DRIVER = os.path.join(SOURCES, "kit", "plugin_driver.c")
 PROPERTY = "CoverageEqualsTheModel"
+SUITE = """
+#include "kit/gtest.h"
+struct Comma {
+  static void Describe(rasterproof_plugin& plugin) { plugin = *rasterproof_plugin_describe(); }
+  static bool Draw(const rasterproof_scene&, const rasterproof_target&) { return false; }
+};
+RASTERPROOF_TEST(Comma, Comma, "gl-canonical", 60)
+"""
 
 
 class CommaLocale(unittest.TestCase):
@@ -70,6 +78,22 @@ class CommaLocale(unittest.TestCase):
         with open(self.path("comma.subject"), "w", encoding="utf-8") as file:
             file.write(f"command {program}\n{lines}")
         self.expect_held("--subject", self.path("comma.subject"))
+
+    def test_a_googletest_suite(self):
+        program = self.path("comma_suite")
+        with open(self.path("suite.cc"), "w", encoding="utf-8") as file:
+            file.write(SUITE)
+        includes = [f"-I{folder}" for folder in (*HEADERS, SOURCES)]
+        subprocess.run(["cc", "-std=c11", "-O1", "-ffp-contract=off", *includes, "-c", COMMA, "-o",
+                        self.path("comma.o")], check=True)  # fmt: skip
+        subprocess.run(["c++", "-std=c++17", *includes, self.path("suite.cc"),
+                        self.path("comma.o"), "-o", program, "-lgtest_main", "-lgtest", "-pthread",
+                        "-lm"], check=True)  # fmt: skip
+        done = subprocess.run([program, f"--gtest_filter=*.{PROPERTY}"], capture_output=True,
+                              text=True, check=False,
+                              env={**self.environment, "RASTERPROOF_COMMAND": PROGRAM})  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("1 test.", done.stdout)
 
     def test_a_program_in_python(self):
         program = self.path("mine.py")

@@ -50,8 +50,8 @@ struct CountsFormat {
 /// Domain:     the file has the requested shape.
 /// Error:      InputError with the line, or the column and row, and its fault.
 CountsFile ReadCounts(const std::string& path, const CountsFormat& format);
-/// Reads how many of each pixel's samples are covered, as a multisampled target is resolved: rows of
-/// numbers from 0 to `samples`, or a picture of white triangles on black (PNG, PGM, PPM), whose
+/// Reads how many of each pixel's samples are covered, as a multisampled target is resolved: rows
+/// of numbers from 0 to `samples`, or a picture of white triangles on black (PNG, PGM, PPM), whose
 /// levels are shares of white, to one level of 8 bits.
 ///
 /// Error:      InputError with the column and row: a colour, or a level that is no such share.

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/coverage.h"
@@ -14,6 +16,7 @@
 #include "core/sample_pattern.h"
 #include "core/scene.h"
 #include "io/image.h"
+#include "report/palette.h"
 
 namespace rasterproof::report {
 
@@ -70,6 +73,17 @@ io::Image PaintDifference(const CoverageCounts& observed, const CoverageCounts& 
 ///             finite or not in front of the eye are left out.
 io::Image Enlarged(const io::Image& image, const Scene& scene, PixelRect view, int scale,
                    YAxis y_axis);
+
+struct LegendEntry {
+  Colour colour;
+  std::string_view words;
+};
+/// Returns a picture of the pixels of a view, each a square of `scale` pixels, with column numbers
+/// above, row numbers to the left, as many as there is room for, and the legend below.
+///
+/// Domain:     as Enlarged() returned it for the view and the scale.
+io::Image Labelled(const io::Image& pixels, PixelRect view, int scale,
+                   std::span<const LegendEntry> legend);
 
 }  // namespace rasterproof::report
 

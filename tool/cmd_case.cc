@@ -17,8 +17,10 @@
 #include "io/netpbm.h"
 #include "io/output.h"
 #include "props/codec/codec.h"
+#include "props/infer/observer.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/redraw.h"
+#include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"
@@ -30,6 +32,7 @@
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/interrupt.h"
+#include "tool/legality.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/replay.h"
@@ -235,8 +238,68 @@ int RunReplay(const ReplayOptions& options) {
   return Replay(options, LoadCase(options.choice, "replay"));
 }
 
+namespace {
+
+// The pictures that are asked for, and the text behind its head.
+void ShowExplanation(const ExplainOptions& options, const report::Explanation& explanation,
+                     const std::string& head) {
+  if (!options.svg.empty()) io::WriteFile(options.svg, report::ExplanationToSvg(explanation));
+  if (!options.png.empty()) {
+    io::WriteFile(options.png, io::EncodeFor(options.png, report::ExplanationToImage(explanation)));
+  }
+  io::WriteStandardOutput(report::CleanText(head) +
+                          report::ExplanationToText(explanation, options.colour));
+}
+
+// The drawing that a case holds beside the canonical model's, at the first sample that no legal
+// model explains.
+int ExplainDrawing(const ExplainOptions& options) {
+  LegalOptions asked;
+  asked.scene.path = options.choice.path;
+  asked.profile = options.choice.profile;
+  const JudgedScene judged = LoadJudgedScene(asked, nullptr);
+  const OneCall drawn = ReadDrawing(asked, judged);
+  const legal::JointVerdict found = JudgeDrawing(judged, drawn).verdict;
+  const Case c{judged.scene, judged.profile, {}, options.choice.path};
+  CoverageCounts observed = drawn.drawing.counts;
+  if (!drawn.has_counts) {
+    observed = CoverageCounts(c.scene.width, c.scene.height, c.profile.pattern.samples());
+    for (std::size_t k = 0; k < observed.size(); ++k)
+      observed.front[k] = drawn.drawing.primitive_ids[k] == kNoPrimitive ? 0 : 1;
+  }
+  CoverageCounts expected = exact::Coverage(props::PlacedCase(c), c.options);
+  if (drawn.is_mask || !drawn.has_counts) expected = props::AsShown(std::move(expected));
+  if (!drawn.has_facings) props::JoinFacings(expected);
+  Verdict verdict;
+  verdict.message = LegalityName(found.legality) + ": profile " + c.profile.name;
+  if (found.core) {
+    const auto samples = static_cast<std::size_t>(observed.samples);
+    verdict.message += "; " + CoreLine(*found.core, c.scene, samples);
+    verdict.witness = props::WitnessAtIndex(observed, found.core->requirements.front().sample);
+  }
+  std::string again = "rasterproof explain " + ShellWord(options.choice.path);
+  if (options.x >= 0 || options.y >= 0) {
+    RequirePixel(options, c.scene);
+    verdict.witness.emplace();
+    verdict.witness->x = options.x;
+    verdict.witness->y = options.y;
+    again += fmt::format(" --pixel {},{}", options.x, options.y);
+  }
+  verdict.compared = std::make_shared<ComparedCounts>(observed, expected);
+  const std::unique_ptr<Subject> oracle = MakeOracle("exact", c.profile);
+  const report::Explanation explanation = Explain(*oracle, c, verdict, again);
+  ShowExplanation(
+      options, explanation,
+      "expected: what the canonical model of the profile covers; the drawing may differ "
+      "from it and be legal\n");
+  return StatusOf(found.legality);
+}
+
+}  // namespace
+
 int RunExplain(const ExplainOptions& options) {
   RequireHonestEnvironment();
+  if (options.as.empty() && HoldsADrawing(options.choice)) return ExplainDrawing(options);
   const LoadedCase loaded = LoadCase(options.choice, "explain");
   const bool chosen = options.x >= 0 || options.y >= 0;
   const Verdict verdict = Judge(loaded);
@@ -266,16 +329,11 @@ int RunExplain(const ExplainOptions& options) {
     explanation.headline =
         fmt::format("{} {}", loaded.subject->Info().name, OutcomeName(verdict.outcome));
   }
-  if (!options.svg.empty()) io::WriteFile(options.svg, report::ExplanationToSvg(explanation));
-  if (!options.png.empty()) {
-    io::WriteFile(options.png, io::EncodeFor(options.png, report::ExplanationToImage(explanation)));
-  }
   std::string text = FailureLine(PropertyName(loaded), loaded.value,
                                  WithCountsAsGiven(verdict, loaded.subject->Info())) +
                      "\n" + DrawnLine(loaded.value, verdict);
   if (chosen) text += PixelLine(explanation, options.x, options.y) + "\n";
-  io::WriteStandardOutput(report::CleanText(text) +
-                          report::ExplanationToText(explanation, options.colour));
+  ShowExplanation(options, explanation, text);
   return StatusOf(verdict.outcome);
 }
 

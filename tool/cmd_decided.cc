@@ -1,13 +1,17 @@
 // rasterproof legal --decided: how often legal models of a profile cover each sample.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/image.h"
 #include "io/netpbm.h"
@@ -15,6 +19,7 @@
 #include "legal/decided.h"
 #include "legal/joint.h"
 #include "report/json_writer.h"
+#include "report/palette.h"
 #include "report/picture.h"
 #include "tool/commands.h"
 #include "tool/legal_hints.h"
@@ -23,6 +28,8 @@
 
 namespace rasterproof::tool {
 namespace {
+
+constexpr int kLeastForLabels = 8;
 
 // A count that all legal models have, and "?" where they differ.
 std::string Letters(const legal::Decided& decided) {
@@ -135,6 +142,32 @@ io::Image MaskOf(const legal::Decided& decided) {
   return mask;
 }
 
+// The mask as an array of a test's language, by the ending of its file; nothing for a picture.
+std::optional<std::string> MaskAsCode(const std::string& path, const io::Image& mask) {
+  struct Form {
+    std::string_view ending, comment, begin, open, close, end;
+  };
+  constexpr std::string_view kCpp = "constexpr unsigned char kMask[][{}] = {{\n";
+  constexpr std::array<Form, 4> kForms{
+      Form{".h", "// ", kCpp, "{", "}", "};\n"}, Form{".hpp", "// ", kCpp, "{", "}", "};\n"},
+      Form{".ts", "// ", "export const mask: number[][] = [\n", "[", "]", "];\n"},
+      Form{".py", "# ", "MASK = [\n", "[", "]", "]\n"}};
+  const auto form =
+      std::ranges::find_if(kForms, [&](const Form& known) { return path.ends_with(known.ending); });
+  if (form == kForms.end()) return std::nullopt;
+  std::string text = fmt::format(
+      "{}255: every legal picture covers it; 0: none does; 128: legal pictures differ\n",
+      form->comment);
+  text += fmt::format(fmt::runtime(form->begin), mask.width);
+  for (int row = 0; row < mask.height; ++row) {
+    std::vector<int> levels;
+    for (int column = 0; column < mask.width; ++column)
+      levels.push_back(mask.pixels[static_cast<std::size_t>(row * mask.width + column)][0]);
+    text += fmt::format("    {}{}{},\n", form->open, fmt::join(levels, ", "), form->close);
+  }
+  return text + std::string(form->end);
+}
+
 // The picture that the options ask for.
 io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profile& profile,
                   const LegalOptions& options) {
@@ -154,7 +187,14 @@ io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profi
     throw InputError("--scale", fmt::format("the picture is longer than {} pixels", kLongestSide),
                      "give a smaller --scale or --view");
   }
-  return report::Enlarged(Paint(decided), scene, view, options.scale, profile.y_axis);
+  const io::Image pixels =
+      report::Enlarged(Paint(decided), scene, view, options.scale, profile.y_axis);
+  if (options.scale < kLeastForLabels) return pixels;
+  constexpr std::array kLegend{
+      report::LegendEntry{report::kUncovered, "covered by no legal model"},
+      report::LegendEntry{report::kCovered, "covered by all (darker: more often)"},
+      report::LegendEntry{report::kBlue, "legal models differ"}};
+  return report::Labelled(pixels, view, options.scale, kLegend);
 }
 
 }  // namespace
@@ -170,8 +210,11 @@ int TellDecided(const LegalOptions& options) {
   if (!options.png.empty())
     io::WriteFile(options.png,
                   io::EncodeFor(options.png, Picture(decided, scene, profile, options)));
-  if (!options.mask.empty())
-    io::WriteFile(options.mask, io::EncodeFor(options.mask, MaskOf(decided)));
+  if (!options.mask.empty()) {
+    const io::Image mask = MaskOf(decided);
+    const std::optional<std::string> code = MaskAsCode(options.mask, mask);
+    io::WriteFile(options.mask, code ? *code : io::EncodeFor(options.mask, mask));
+  }
   if (options.json != "-") io::WriteStandardOutput(Letters(decided));
   const std::uint64_t open = decided.NumberOpen();
   Tell(fmt::format(

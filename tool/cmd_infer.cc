@@ -66,17 +66,24 @@ std::string LastRefutedText(const props::Inference& inference) {
 
 std::string NoFitText(const props::Inference& inference) {
   if (inference.is_inconclusive) return fmt::format("inconclusive: {}\n", inference.message);
-  std::string text = fmt::format("no model fits: {}\n", inference.message);
+  std::string text;
   if (const auto& nearest = inference.nearest) {
-    text += fmt::format(
-        "nearest          {}\nits error rate   {} of {} samples, {} of {} draws wrong{}\n",
-        props::ModelText(nearest->profile), nearest->wrong_samples, nearest->samples,
-        nearest->wrong_experiments, nearest->experiments,
-        nearest->wrong_samples == 0 && inference.witness
-            ? ", where nothing is aimed; one that was aimed is, below"
-            : "");
+    text +=
+        fmt::format("differs in       {} of {} samples, {} of {} draws{}\n", nearest->wrong_samples,
+                    nearest->samples, nearest->wrong_experiments, nearest->experiments,
+                    nearest->wrong_samples == 0 && inference.witness
+                        ? ", where nothing is aimed; in one that was aimed, below"
+                        : "");
   }
-  return text + LastRefutedText(inference);
+  return text + fmt::format("no model fits    {}\n", inference.message) +
+         LastRefutedText(inference);
+}
+
+// "0.01 % of samples".
+std::string ShareText(const props::NearestModel& nearest) {
+  if (nearest.wrong_samples == 0) return "no sample, but in what was aimed at it";
+  return fmt::format("{:.2g} % of samples", 100.0 * static_cast<double>(nearest.wrong_samples) /
+                                                static_cast<double>(nearest.samples));
 }
 
 // The model that is nearest, whether it fits or not.
@@ -86,8 +93,8 @@ std::string FirstLine(const props::Inference& inference, const std::string& subj
                        inference.remaining.size() == 1 ? "" : ", or others that draw the same");
   }
   if (!inference.nearest) return fmt::format("{}: no model was found\n", subject);
-  return fmt::format("{}: no model fits; nearest is {}\n", subject,
-                     props::ModelText(inference.nearest->profile));
+  return fmt::format("{}: {}; differs in {}: no model fits\n", subject,
+                     props::ModelText(inference.nearest->profile), ShareText(*inference.nearest));
 }
 
 std::string PlacesText(const props::Inference& inference) {

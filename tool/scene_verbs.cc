@@ -199,8 +199,8 @@ void AddLegal(CLI::App& app, Run& run) {
       verb->add_option("--png", options.png, "Picture: where legal models differ")->needs(decided);
   verb->add_option(
           "--mask", options.mask,
-          "PNG (or NAME.pgm) for a comparison of pictures: 255 must be covered, 0 must not, "
-          "128 is open")
+          "PNG (or NAME.pgm, or an array as NAME.h, .ts or .py) for a comparison of pictures: 255 "
+          "must be covered, 0 must not, 128 is open")
       ->needs(decided);
   verb->add_option("--assume-transform-error", options.transform_error,
                    "Judge clip space: x and y may be off by N x 2^-24 of their size, then snapped")
@@ -210,7 +210,8 @@ void AddLegal(CLI::App& app, Run& run) {
       ->expected(4)
       ->needs(png);
   verb->add_option("--scale", options.scale,
-                   "Side of a pixel in the picture; from 4 on with the triangles' edges")
+                   "Side of a pixel in the picture; from 4 on with the triangles' edges, from 8 on "
+                   "with pixel numbers and a legend")
       ->check(CLI::Range(1, 128))
       ->capture_default_str()
       ->needs(png);

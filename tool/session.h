@@ -46,6 +46,10 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
 /// The same, with the subject that `make` makes in place of the one of the choice's name.
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make);
 
+/// Returns whether the choice is of a file with a drawing that no subject drew, and no subject is
+/// to draw its scene.
+bool HoldsADrawing(const CaseChoice& choice);
+
 /// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
 std::string SubjectOption(const std::string& name);
 

@@ -74,7 +74,10 @@ class LegalTest(LegalCase):
         self.assertGreaterEqual(len(case["scene"]["triangles"]), 1)
         self.assertEqual(case["scene"]["width"], 64)
         shown = run("explain", self.path("core.json"))
-        self.assertEqual(shown.returncode, 0, shown.stdout + shown.stderr)
+        self.assertEqual(shown.returncode, 1, shown.stdout + shown.stderr)
+        self.assertIn("not legal: profile vulkan; ", shown.stdout)
+        self.assertNotIn("holds", shown.stdout)
+        self.assertRegex(shown.stdout, r"(?m)^ *30 .*\[\.\].*\[-\]")  # not drawn, and missing
 
     def test_certify_judges_each_scene_of_a_legal_set(self):
         scenes = self.write("set.json", json.dumps({

@@ -1,9 +1,10 @@
-"""A resolved picture, k of n samples a pixel, is judged by least and most of what legal models cover.
+"""A resolved picture, k of n samples a pixel, is judged by what legal models cover at least and most.
 
 usage: resolved_test.py PROGRAM
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -69,6 +70,53 @@ class Resolved(unittest.TestCase):
         told = json.loads(self.legal(self.pgm(wrong), "d3d11-4x", "--json", "-").stdout)
         self.assertEqual(told["verdict"], "not legal")
         self.assertEqual(told["wrong"], [{"column": WIDTH - 1, "row": HEIGHT - 1, "covered": 1}])
+
+    def test_a_mask_is_an_array_in_the_language_of_its_file(self):
+        masks = {}
+        for ending in ("h", "ts", "py"):
+            path = os.path.join(self.folder.name, "mask." + ending)
+            done = run("legal", self.scene, "--decided", "--profile", "webgpu", "--mask", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(path, encoding="utf-8") as file:
+                masks[ending] = file.read()
+        names = {}
+        exec(masks["py"], names)
+        mask = names["MASK"]
+        self.assertEqual((len(mask), {len(row) for row in mask}), (HEIGHT, {WIDTH}))
+        self.assertLessEqual({128, 0, 255}, {level for row in mask for level in row})
+        self.assertIn(f"constexpr unsigned char kMask[][{WIDTH}] = {{\n", masks["h"])
+        for ending in ("h", "ts"):
+            rows = re.findall(r"^    [{\[](.*)[}\]],$", masks[ending], re.M)
+            self.assertEqual([list(map(int, row.split(", "))) for row in rows], mask)
+
+    def test_a_picture_has_pixel_numbers_and_a_legend_where_there_is_room(self):
+        def size(scale):
+            path = os.path.join(self.folder.name, "decided.ppm")
+            run("legal", self.scene, "--decided", "--profile", "webgpu", "--png", path, "--scale",
+                str(scale))  # fmt: skip
+            with open(path, "rb") as file:
+                return tuple(map(int, file.read().split()[1:3]))
+
+        self.assertEqual(size(7), (7 * WIDTH, 7 * HEIGHT))
+        width, height = size(40)
+        self.assertGreater(width, 40 * WIDTH)
+        self.assertGreater(height, 40 * HEIGHT + 30)
+
+    def test_a_saved_drawing_is_not_explained_by_another_subject(self):
+        wrong = self.write("wrong.txt", "\n".join(" ".join("1" * WIDTH) for _ in range(HEIGHT)))
+        core = os.path.join(self.folder.name, "core.json")
+        done = run("legal", self.scene, wrong, "--profile", "vulkan", "--save", core)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        refused = run("replay", core)
+        self.assertEqual(refused.returncode, 2, refused.stdout)
+        self.assertIn(f"judge the drawing by 'rasterproof legal {core}'", refused.stderr)
+        shown = run("explain", core)
+        self.assertEqual(shown.returncode, 1, shown.stderr)
+        self.assertIn("not legal: profile vulkan; ", shown.stdout)
+        self.assertNotIn("exact holds", shown.stdout)
+        self.assertNotRegex(shown.stdout, r"(?m)^ *\d+ .*!")  # facings are not seen
+        self.assertEqual(run("legal", core, "--profile", "vulkan").returncode, 1)
+        self.assertEqual(run("explain", core, "--subject", "spans-exact").returncode, 0)
 
     def test_what_is_open_is_not_told_as_legal(self):
         done = self.legal(self.pgm(self.right), "webgpu-4x")

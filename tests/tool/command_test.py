@@ -317,16 +317,6 @@ class FullDeviceTest(TemporaryFolder):
         self.assertEqual(result.returncode, 2)
         self.assertIn(b"/dev/full", result.stderr)
 
-    def test_a_reader_that_has_seen_enough_is_no_error(self):
-        vertices = [(0.0, 0.0), (300.0, 0.0), (0.0, 300.0)]
-        path = self.write(scene_text(300, 300, vertices, [[0, 1, 2]]))
-        for arguments in (("list",), ("coverage", path)):
-            reading, writing = os.pipe()
-            os.close(reading)
-            result = run(*arguments, stdout=writing)
-            os.close(writing)
-            self.assertEqual((result.returncode, result.stderr), (0, b""), arguments)
-
     def test_an_unwritable_output_leaves_nothing_behind(self):
         path = self.write(scene_text(2, 2, [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], [[0, 1, 2]]))
         target = os.path.join(self.folder.name, "no", "such", "folder.png")

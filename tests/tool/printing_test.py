@@ -29,6 +29,18 @@ def outcomes(text):
 
 
 class Screen(unittest.TestCase):
+    def test_a_reader_that_has_seen_enough_is_no_error(self):
+        for arguments, status in ((("list",), 0),
+                                  (("check", "--subject", "textbook", "--property", SHARED,
+                                    "--no-cause"), 1)):  # fmt: skip
+            reading, writing = os.pipe()
+            os.close(reading)
+            done = subprocess.run([PROGRAM, *arguments], stdout=writing, stderr=subprocess.PIPE,
+                                  check=False)  # fmt: skip
+            os.close(writing)
+            self.assertEqual(done.returncode, status, arguments)
+            self.assertNotIn(b"written", done.stderr)
+
     def test_the_worst_comes_first_and_the_rest_is_counted(self):
         text = check("--subject", "textbook").stdout
         self.assertEqual(outcomes(text), ["violated", "quality"])

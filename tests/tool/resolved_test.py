@@ -1,4 +1,4 @@
-"""A resolved picture, k of n samples a pixel, is judged by what legal models cover at least and most.
+"""Resolved pictures, k of n samples a pixel, are judged by what legal models cover least and most.
 
 usage: resolved_test.py PROGRAM
 """

@@ -1,6 +1,7 @@
 #include "props/infer/locate.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,10 +23,14 @@ constexpr int kProbedRow = 3;
 // columns of pixel row 3 up to per_pixel (1 + oy) + 1.
 struct ProbeSize {
   int per_pixel = kFinest;
+  bool is_power_of_two = false;  // the sides of its targets: a viewport then takes them exactly
 
   int Farthest() const { return 2 + 4 * per_pixel; }
   // A place that seems half a pixel off lies below 3/2.
-  int Long() const { return kShort + 5 * per_pixel / 2; }
+  int Long() const {
+    const int least = kShort + 5 * per_pixel / 2;
+    return is_power_of_two ? static_cast<int>(std::bit_ceil(static_cast<unsigned>(least))) : least;
+  }
   int LastColumnOfZero() const { return per_pixel + 1; }
   std::vector<Vertex> Corners(bool along_y) const {
     const double far = Farthest();
@@ -201,6 +206,7 @@ std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
 // The finest probes that what is stated has room for; else the coarsest.
 ProbeSize SizeFor(const Profile& stated) {
   ProbeSize size;
+  size.is_power_of_two = stated.transform.has_value();
   while (size.per_pixel > kCoarsest && !ComplaintAgainst(size, stated).empty()) size.per_pixel /= 2;
   return size;
 }
@@ -213,10 +219,6 @@ std::string TooLittleRoom(const SubjectInfo& info) {
   if (transform && transform->map) {
     return "it draws maps, and infer looks at places of the window; infer a variant that takes "
            "window space";
-  }
-  if (!info.takes_window && transform && transform->viewport != ViewportForm::kNone) {
-    return "its viewport takes no vertex to most of the places that infer looks at; infer a "
-           "variant that takes window space, or whose viewport is none";
   }
   if (!stated.scanline_rounding.IsNone()) {
     return "it rounds where edges cross rows, as stated: on a grid that holds the samples that "

@@ -1,12 +1,14 @@
 #include "props/infer/observer.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <optional>
 #include <utility>
 
 #include "exact/placed_scene.h"
 #include "model/snap_scene.h"
+#include "model/transform.h"
 #include "props/domains/input_lattice.h"
 #include "props/judging/redraw.h"
 #include "props/property.h"
@@ -23,10 +25,40 @@ Observer::Observer(Subject& subject)
   if (!StatesGuardBand(stated_)) stated_.guard_band.reset();
 }
 
+// A window-space vertex in clip space, as near as the subject's input takes it.
+Vertex Observer::InClipSpace(const Vertex& v, const Scene& scene) const {
+  Vertex clip = ToClip(v, 1, *info().profile.transform, scene.width, scene.height);
+  if (info().input == Precision::kFloat64) return clip;
+  clip.x = static_cast<float>(clip.x);
+  clip.y = static_cast<float>(clip.y);
+  return clip;
+}
+
 Scene Observer::AsGiven(const Scene& scene) const {
   Scene given = scene;
-  given.clip_space = !info().takes_window;  // w is 1 already
+  given.clip_space = !info().takes_window;
+  if (!OwnsViewport()) return given;  // w is 1 already
+  for (Vertex& v : given.vertices) v = InClipSpace(v, scene);
+  given.precision = info().input;
   return given;
+}
+
+bool Observer::OwnsViewport() const {
+  const auto& transform = info().profile.transform;
+  return !info().takes_window && transform && transform->viewport != ViewportForm::kNone;
+}
+
+// The subject's own viewport takes it back to just there.
+bool Observer::MoveToWhereItsViewportTakes(Vertex& v, const Scene& scene) const {
+  const auto taken = [&](const Vertex& place) {
+    return ToWindow(InClipSpace(place, scene), *info().profile.transform, scene.width,
+                    scene.height);
+  };
+  const Vertex place = taken(v);
+  v.x = place.x;
+  v.y = place.y;
+  const Vertex again = taken(v);
+  return again.x == v.x && again.y == v.y;
 }
 
 std::vector<CoverageCounts> Observer::Ask(std::span<const Scene> scenes, bool may_refuse) {
@@ -85,6 +117,14 @@ std::optional<Scene> Observer::Given(const Scene& scene) const {
   for (Vertex& v : given.vertices) {
     v.x = lattice.RoundWithinLimit(v.x);
     v.y = lattice.RoundWithinLimit(v.y);
+  }
+  if (OwnsViewport()) {
+    // Halves of these are powers of two, by which most products are exact.
+    given.width = static_cast<int>(std::bit_ceil(static_cast<unsigned>(given.width)));
+    given.height = static_cast<int>(std::bit_ceil(static_cast<unsigned>(given.height)));
+    for (Vertex& v : given.vertices) {
+      if (!MoveToWhereItsViewportTakes(v, given)) return std::nullopt;
+    }
   }
   return IsUnclipped(given, stated_) ? std::optional(given) : std::nullopt;
 }

@@ -56,7 +56,8 @@ class Observer {
   /// The stated profile, as it is on the small targets of all experiments.
   const TargetProfile& stated() const { return stated_; }
   /// The scene with its vertices moved to places that the subject takes: on the integers of a
-  /// fixed-point input, within the stated limit. Nothing if it still breaks a limit on the scenes
+  /// fixed-point input, within the stated limit; of one with a viewport of its own to where that
+  /// takes a vertex, on a target whose sides are powers of two. Nothing if it still breaks a limit on the scenes
   /// that are judged.
   std::optional<Scene> Given(const Scene& scene) const;
   std::uint64_t draws() const { return draws_; }
@@ -68,6 +69,9 @@ class Observer {
  private:
   // In the space that the subject takes.
   Scene AsGiven(const Scene& scene) const;
+  bool OwnsViewport() const;
+  Vertex InClipSpace(const Vertex& v, const Scene& scene) const;
+  bool MoveToWhereItsViewportTakes(Vertex& v, const Scene& scene) const;
   std::vector<CoverageCounts> Ask(std::span<const Scene> scenes, bool may_refuse);
   CoverageCounts Normal(CoverageCounts counts) const;
 

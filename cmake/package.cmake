@@ -2,6 +2,8 @@
 # and the documents. `cmake --install` installs the same below any prefix.
 set(doc ${CMAKE_INSTALL_DATADIR}/doc/rasterproof)
 install(FILES cmake/package/copyright DESTINATION ${doc})
+install(FILES cmake/package/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides
+  RENAME rasterproof)
 install(DIRECTORY kit/examples DESTINATION ${doc})
 
 # The documents, with links to what is installed alone, and Debian's changelog. gzip -n: the same

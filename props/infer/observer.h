@@ -57,8 +57,8 @@ class Observer {
   const TargetProfile& stated() const { return stated_; }
   /// The scene with its vertices moved to places that the subject takes: on the integers of a
   /// fixed-point input, within the stated limit; of one with a viewport of its own to where that
-  /// takes a vertex, on a target whose sides are powers of two. Nothing if it still breaks a limit on the scenes
-  /// that are judged.
+  /// takes a vertex, on a target whose sides are powers of two. Nothing if it still breaks a limit
+  /// on the scenes that are judged.
   std::optional<Scene> Given(const Scene& scene) const;
   std::uint64_t draws() const { return draws_; }
   /// The last question to the subject.

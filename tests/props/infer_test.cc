@@ -20,7 +20,6 @@
 #include "core/transform.h"
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
-#include "model/transform.h"
 #include "props/infer/directed.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
@@ -417,31 +416,6 @@ TEST(Infer, IsInconclusiveWhereThereIsNoRoomForTheCoarsestPlaces) {
   const Inference inference = Infer(subject);
   EXPECT_TRUE(inference.is_inconclusive);
   EXPECT_NE(inference.message.find("up to 66"), std::string::npos) << inference.message;
-}
-
-// Told how the subject maps pixels to clip space, infer finds the model behind its viewport.
-TEST(Infer, LooksThroughAViewport) {
-  for (const std::string_view name : {"legal:transform-multiply-add", "legal:transform-fused"}) {
-    const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
-    const Inference inference = Infer(*subject, {.checks = 60});
-    EXPECT_TRUE(inference.Agrees()) << name << ": " << inference.message;
-    EXPECT_FALSE(inference.remaining.empty()) << name;
-  }
-  // The same viewport behind which another snap was planted.
-  const Profile planted = Snapped(4, SnapRule::kHalfUp);
-  SubjectInfo info = testing::SnappedInfo(8);
-  info.takes_window = false;
-  info.takes_clip = true;
-  info.input = Precision::kFloat32;
-  info.profile.transform = {.viewport = ViewportForm::kMultiplyAdd, .flips_y = true};
-  FakeSubject subject(info,
-                      [&](const Scene& clip, const DrawOptions& options, CoverageCounts& counts) {
-                        Scene window = ToWindow(clip, *info.profile.transform);
-                        AddDrawn(counts, exact::Coverage(window, planted, options));
-                      });
-  const Inference found = Infer(subject, {.checks = 60});
-  ASSERT_TRUE(found.Fits()) << found.message;
-  EXPECT_EQ(found.remaining.front().snap, planted.snap);
 }
 
 TEST(Infer, IsTheSameEveryTime) {

@@ -7,9 +7,13 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "core/transform.h"
+#include "exact/coverage.h"
 #include "gtest/gtest.h"
+#include "model/transform.h"
+#include "props/infer/infer.h"
 #include "props/run/campaign.h"
 #include "props/run/property_domains.h"
 #include "subjects/mutants/mutants.h"
@@ -120,6 +124,32 @@ TEST(OwnTransform, VerticesOfOnePlaceStayTogether) {
     }
   }
   EXPECT_GT(shared, 0);
+}
+
+// Told how the subject maps pixels to clip space, infer finds the model behind its viewport.
+TEST(OwnTransform, IsLookedThroughByInfer) {
+  for (const std::string_view name : {"legal:transform-multiply-add", "legal:transform-fused"}) {
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
+    const Inference inference = Infer(*subject, {.checks = 60});
+    EXPECT_TRUE(inference.Agrees()) << name << ": " << inference.message;
+    EXPECT_FALSE(inference.remaining.empty()) << name;
+  }
+  // The same viewport behind which another snap was planted.
+  Profile planted;
+  planted.snap = {4, SnapRule::kHalfUp};
+  SubjectInfo info = testing::SnappedInfo(8);
+  info.takes_window = false;
+  info.takes_clip = true;
+  info.input = Precision::kFloat32;
+  info.profile.transform = {.viewport = ViewportForm::kMultiplyAdd, .flips_y = true};
+  FakeSubject subject(info,
+                      [&](const Scene& clip, const DrawOptions& options, CoverageCounts& counts) {
+                        Scene window = ToWindow(clip, *info.profile.transform);
+                        counts += exact::Coverage(window, planted, options);
+                      });
+  const Inference found = Infer(subject, {.checks = 60});
+  ASSERT_TRUE(found.Fits()) << found.message;
+  EXPECT_EQ(found.remaining.front().snap, planted.snap);
 }
 
 }  // namespace

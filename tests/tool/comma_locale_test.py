@@ -15,6 +15,15 @@ HEADERS = [os.path.abspath(sys.argv[3])] if len(sys.argv) > 3 else []
 COMMA = os.path.join(SOURCES, "tests", "tool", "comma", "comma.c")
 DRIVER = os.path.join(SOURCES, "kit", "plugin_driver.c")
 PROPERTY = "CoverageEqualsTheModel"
+PACKAGE = f"""
+import locale
+locale.setlocale(locale.LC_ALL, "")
+import rasterproof
+draw = lambda triangles, size: rasterproof.coverage(triangles, size, "gl-canonical")
+report = rasterproof.check(draw, "gl-canonical", cases=20, properties="{PROPERTY}")
+print(report.text)
+raise SystemExit(report.status)
+"""
 SUITE = """
 #include "kit/gtest.h"
 struct Comma {
@@ -102,6 +111,22 @@ class CommaLocale(unittest.TestCase):
         with open(program, "w", encoding="utf-8") as file:
             file.write("import locale; locale.setlocale(locale.LC_ALL, '')\n" + text)
         self.expect_held("--exec", f"{sys.executable} {program}", cases=2)
+
+    def test_the_python_package_and_its_oracle(self):
+        oracle = os.path.join(os.path.dirname(PROGRAM), "librasterproof_oracle.so.1")
+        python = "/usr/bin/python3"  # Debian's has its numpy
+        asked = [python, "-c", "import numpy"]
+        has_numpy = os.path.exists(python) and subprocess.run(
+            asked, capture_output=True, check=False).returncode == 0  # fmt: skip
+        if not has_numpy or not os.path.exists(oracle):
+            self.skipTest("no numpy, or no oracle beside the command")
+        done = subprocess.run(
+            [python, "-c", PACKAGE], capture_output=True, text=True, check=False,
+            env={**self.environment, "RASTERPROOF_ORACLE": oracle, "RASTERPROOF_COMMAND": PROGRAM,
+                 "PYTHONPATH": os.path.join(SOURCES, "kit/python"),
+                 "PYTHONDONTWRITEBYTECODE": "1"})  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn(": 1 hold, 0 violated", done.stdout)
 
     def test_builds_that_are_swept(self):
         done = self.run_here("sweep", COMMA, "--build", "-O2 -ffp-contract=off", "--cases", "20")

@@ -114,11 +114,13 @@ void PlacesLeft::See(const PlaceRuler::Strips& strips, bool covered) {
 
 std::pair<Point2, Point2> PlacesLeft::Box() const {
   std::pair<Point2, Point2> box;
-  for (const std::size_t axis : {0, 1}) {
+  for (const std::size_t axis : {0U, 1U}) {
     const int least = std::countr_zero(left_[axis]);
     const int most = static_cast<int>(std::bit_width(left_[axis])) - 1;
-    (axis == 0 ? box.first.x : box.first.y) = (least / 2) * kPart;
-    (axis == 0 ? box.second.x : box.second.y) = ((most + 1) / 2) * kPart;
+    const int low = least / 2;
+    const int high = (most + 1) / 2;
+    (axis == 0 ? box.first.x : box.first.y) = low * kPart;
+    (axis == 0 ? box.second.x : box.second.y) = high * kPart;
   }
   return box;
 }

@@ -67,8 +67,10 @@ Scene SceneOf(const PlacedCase& c, const StripsOfAPixel& of_a_pixel, bool along_
   return scene;
 }
 
-bool StayWhereGiven(const PlacedCase& c) {
-  return std::ranges::all_of(c.scene.triangles,
+// No legal model moves or clips any of it.
+bool IsDrawnAsGiven(const PlacedCase& c) {
+  return WithinLimits(c.scene, c.profile) && IsUnclipped(c.scene, c.profile) &&
+         std::ranges::all_of(c.scene.triangles,
                              [&](const Triangle& t) { return StaysWhereGiven(c, t); });
 }
 
@@ -85,6 +87,7 @@ PlaceRuler PlaceRulerFor(const PlacedCase& c) {
       const StripsOfAPixel of_a_pixel = StripsOf(bit);
       PlaceRuler::Strips strips{.scene = SceneOf(c, of_a_pixel, along_rows),
                                 .along_rows = along_rows};
+      if (!IsDrawnAsGiven(c.With(strips.scene))) return {};
       for (const Strip& strip : of_a_pixel) {
         // The last line of a pixel is the first of the next.
         if (strip.end == kPlaceParts) strips.within |= 1;
@@ -95,14 +98,6 @@ PlaceRuler PlaceRulerFor(const PlacedCase& c) {
         }
       }
       ruler.strips.push_back(std::move(strips));
-    }
-  }
-  const PlacedCase first = c.With(ruler.strips.front().scene);
-  const PlacedCase last = c.With(ruler.strips.back().scene);
-  for (const PlacedCase* const one : {&first, &last}) {
-    if (!WithinLimits(one->scene, one->profile) || !IsUnclipped(one->scene, one->profile) ||
-        !StayWhereGiven(*one)) {
-      ruler.strips.clear();
     }
   }
   return ruler;

@@ -13,8 +13,8 @@
 
 namespace rasterproof::props {
 
-/// The ruler divides each axis of a pixel into this many parts. Every grid that a specification
-/// allows has points on its lines.
+/// The ruler divides each axis of a pixel into this many parts. Every grid of 4 bits and more has
+/// points on its lines.
 inline constexpr int kPlaceParts = 16;
 
 /// Scenes of rectangles that run across the whole target along one axis. Each holds the same parts

@@ -84,6 +84,27 @@ TEST(ProgramContender, TellsWhatARequestWithoutTrianglesTakesIfThereAreNoRepeats
   EXPECT_TRUE(contender->method().times_requests);
 }
 
+TEST(ProgramContender, IsLeftOutWhereItsDrawsTakeMoreThanTheBudgetHas) {
+  Scripted slow;
+  slow.start_seconds = 0.25;
+  slow.seconds = 0.75;
+  const FamilyInput family = OneTriangle();
+  const auto contender = MakeProgramContender(slow);
+  contender->LimitTime(15);
+  contender->Load(family);
+  contender->LimitTime(14.9);
+  try {
+    contender->Load(family);
+    FAIL();
+  } catch (const SubjectStop& stop) {
+    EXPECT_EQ(stop.stop(), Stop::kTooSlow);
+    EXPECT_EQ(
+        std::string(stop.what()),
+        "a draw takes 1 s, and 15 of them more than the 15 s that the budget has for it here; "
+        "give a --budget 1.1 times as large, or fewer families");
+  }
+}
+
 TEST(ProgramContender, CountsElapsedTimeOfWhatDrawsElsewhere) {
   Scripted waits;
   waits.info.takes_repeats = true;

@@ -6,9 +6,9 @@
 // once unless it lies on a vertex, and so of two meshes with no vertex in common only one can miss
 // it. Where a mesh folds, its triangles cover a sample front minus back as often as its outline
 // winds around it, unless it lies on a vertex or a fold. The case's mesh is drawn again, moved by
-// some sixteenths of a pixel: vertices on that grid stay on the grid of every device. A
-// ruler (place_ruler.h), the same in every case on a target of this size, makes the places one
-// choice of the run.
+// some sixteenths of a pixel: vertices on that grid stay on the grid of every device. A ruler
+// (place_ruler.h), the same in every case on a target of this size, makes the places one choice of
+// the run.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -228,13 +228,15 @@ class Judge {
     });
   }
 
-  void SeeMesh(const Mesh& mesh, std::size_t draw, const CoverageCounts& counts) {
+  // `front`: the sign of the area whose side the subject shows as front; 0: not known.
+  void SeeMesh(const Mesh& mesh, std::size_t draw, const CoverageCounts& counts, int front) {
+    if (mesh.is_folded && front == 0) return;
     ForEachPixel([&](int x, int row) {
       const PixelSquare square = SquareOf(c_, x, row);
       if (mesh.IsNearTheOutline(square)) return;
       for (int s = 0; s < shape_.samples && !violated_; ++s) {
         const std::size_t k = shape_.Index(x, row, s);
-        const std::int64_t winding = mesh.winding[k];
+        const std::int64_t winding = mesh.winding[k] * (mesh.is_folded ? front : 1);
         const std::int64_t due = mesh.is_folded ? winding : std::abs(winding);
         const std::int64_t count = mesh.is_folded ? counts.Signed(k) : counts.Count(k);
         exercised_ += static_cast<std::uint64_t>(std::abs(winding));
@@ -285,14 +287,31 @@ class Judge {
   std::optional<Verdict> violated_;
 };
 
+// Which side is the front, where the profile leaves it open: as a triangle alone shows it that has
+// one facing in every legal model. That it is one for all is another property's.
+int FrontSign(const PlacedCase& c, const Asked& asked, const Answers& answers) {
+  if (c.profile.front_face == FrontFace::kPositiveArea) return 1;
+  for (std::size_t k = 0; k < asked.alone.size(); ++k) {
+    if (!asked.reaches[k].facing) continue;
+    const std::vector<std::int64_t> winding = WindingOf(c.Only({asked.alone[k]}));
+    const CoverageCounts& counts = answers.draws[asked.ruler.strips.size() + k]->counts;
+    std::int64_t alike = 0;
+    for (std::size_t i = 0; i < winding.size(); ++i) alike += winding[i] * counts.Signed(i);
+    if (alike != 0) return alike > 0 ? 1 : -1;
+  }
+  return 0;
+}
+
 Verdict Judged(const PlacedCase& c, const Asked& asked, const Answers& answers) {
   Judge judge(c, answers.draws[0]->counts);
   if (!asked.ruler.strips.empty()) judge.SeeRuler(asked.ruler, answers);
   std::size_t draw = asked.ruler.strips.size();
   for (std::size_t k = 0; k < asked.alone.size(); ++k)
     judge.SeeAlone(asked.alone[k], asked.reaches[k], answers.draws[draw++]->counts);
+  const bool folds = std::ranges::any_of(asked.meshes, &Mesh::is_folded);
+  const int front = folds ? FrontSign(c, asked, answers) : 0;
   for (const Mesh& mesh : asked.meshes) {
-    judge.SeeMesh(mesh, draw, answers.draws[draw]->counts);
+    judge.SeeMesh(mesh, draw, answers.draws[draw]->counts, front);
     ++draw;
   }
   return judge.Done();

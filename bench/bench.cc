@@ -21,13 +21,13 @@
 #include "core/clock.h"
 #include "core/coverage.h"
 #include "exact/coverage.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 #include "reference/method.h"
 
 namespace rasterproof::bench {
 namespace {
 
-namespace kernels = reference::kernels;
+namespace kernels = library::kernels;
 
 // Shorter draws are repeated until they add up to this: clocks cost some tenths of a microsecond.
 constexpr double kLeastSeconds = 1e-4;

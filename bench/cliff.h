@@ -42,7 +42,7 @@ std::optional<BenchCliff> FindCliff(SceneDrawer& drawer, const Parameter& parame
 double ProvedTo(const BenchMethod& method, const Parameter& parameter);
 
 /// Adds the parameters and the cliffs of every contender that draws triangles alone, each name
-/// once: its instruction sets and sinks decide alike (tests/reference/kernels_test.cc). Adds its
+/// once: its instruction sets and sinks decide alike (tests/library/kernels_test.cc). Adds its
 /// methods to a result that has none; otherwise they are those of the contenders, in their order.
 void RunCliffs(std::span<const std::unique_ptr<Contender>> contenders, const LimitOptions& options,
                BenchResult& result);

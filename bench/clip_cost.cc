@@ -14,12 +14,12 @@
 #include <vector>
 
 #include "bench/family.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
 namespace {
 
-namespace kernels = reference::kernels;
+namespace kernels = library::kernels;
 
 constexpr int kTimes = 11;
 constexpr std::array<std::string_view, 4> kFamilies{"px5", "torus", "px100", "needles"};

@@ -21,14 +21,14 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/subject_info.h"
+#include "library/kernels/kernel.h"
 #include "reference/barycentrics.h"
-#include "reference/kernels/kernel.h"
 #include "reference/rasterize.h"
 
 namespace rasterproof::bench {
 namespace {
 
-namespace kernels = reference::kernels;
+namespace kernels = library::kernels;
 
 // The kind of a method, by what it computes in and whether 0 wrong samples are stated of it.
 std::string KindOf(const SubjectInfo& info) {
@@ -251,7 +251,7 @@ class KernelContender final : public Contender {
     return counts;
   }
 
-  // By every instruction set and into every sink the same: tests/reference/kernels_test.cc. Masks
+  // By every instruction set and into every sink the same: tests/library/kernels_test.cc. Masks
   // that know when they are full are the one kernel without another sink.
   bool DrawsAlone() const override { return kernel_ != kernels::KernelMethod::kMaskRows; }
 

@@ -21,7 +21,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 #include "reference/method.h"
 
 namespace rasterproof::bench {
@@ -107,9 +107,9 @@ std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method);
 /// A kernel.
 ///
 /// Domain:     Draws(method, sink); a target of SupportedTargets().
-std::unique_ptr<Contender> MakeKernelContender(reference::kernels::KernelMethod method,
-                                               reference::kernels::Target target,
-                                               reference::kernels::Sink sink);
+std::unique_ptr<Contender> MakeKernelContender(library::kernels::KernelMethod method,
+                                               library::kernels::Target target,
+                                               library::kernels::Sink sink);
 
 /// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
 /// draw of the same vertices without triangles, the conversion, which is reported separately.
@@ -135,7 +135,7 @@ std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_se
 
 /// Seconds that storing one pixel takes at least, by the widest vectors. Measured when first asked
 /// for.
-double StoreLimit(reference::kernels::Sink sink);
+double StoreLimit(library::kernels::Sink sink);
 
 }  // namespace rasterproof::bench
 

@@ -16,12 +16,12 @@
 #include <MaskedOcclusionCulling.h>
 
 #include "bench/family.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
 namespace {
 
-namespace kernels = reference::kernels;
+namespace kernels = library::kernels;
 
 constexpr int kTimes = 15;
 constexpr std::array<std::string_view, 9> kFamilies{"px5",  "px100", "px1m", "needles", "fan",

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/scene.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
 
@@ -23,13 +23,13 @@ struct FamilyInput {
   std::string summary;
   Scene scene;
   /// The same for kernels; empty where they do not draw it: clip space, or float64.
-  std::vector<reference::kernels::KernelVertex> vertices;
+  std::vector<library::kernels::KernelVertex> vertices;
   std::vector<std::uint32_t> indices;
   bool is_constructed = false;
   bool is_random = false;
 
   bool KernelsDrawIt() const { return !indices.empty(); }
-  reference::kernels::KernelScene KernelScene() const {
+  library::kernels::KernelScene KernelScene() const {
     return {vertices, indices, scene.width, scene.height};
   }
 };

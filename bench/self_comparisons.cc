@@ -23,11 +23,11 @@ std::vector<std::unique_ptr<Contender>> EachTwice() {
   for (const reference::Method& method : reference::Methods()) {
     for (int member = 0; member < 2; ++member) contenders.push_back(MakeMethodContender(method));
   }
-  const auto target = reference::kernels::SupportedTargets().back();
-  for (const auto kernel : reference::kernels::kKernelMethods) {
-    if (!reference::kernels::Draws(kernel, reference::kernels::Sink::kFacing)) continue;
+  const auto target = library::kernels::SupportedTargets().back();
+  for (const auto kernel : library::kernels::kKernelMethods) {
+    if (!library::kernels::Draws(kernel, library::kernels::Sink::kFacing)) continue;
     for (int member = 0; member < 2; ++member) {
-      contenders.push_back(MakeKernelContender(kernel, target, reference::kernels::Sink::kFacing));
+      contenders.push_back(MakeKernelContender(kernel, target, library::kernels::Sink::kFacing));
     }
   }
   return contenders;

@@ -21,7 +21,7 @@
 #include "core/drawing.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
 namespace {
@@ -36,7 +36,7 @@ class SubjectContender : public Contender {
     method_.summary = info.summary;
     method_.kind = "yours";
     method_.target = "its own";
-    method_.sink = NameOf(reference::kernels::Sink::kFacing);
+    method_.sink = NameOf(library::kernels::Sink::kFacing);
     method_.model = info.profile.name;
     method_.is_users = true;
     method_.coordinate_limit = info.profile.coordinate_limit;

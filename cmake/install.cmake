@@ -11,7 +11,7 @@ include(GNUInstallDirs)
 set(rasterproof_package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/rasterproof)
 
 # rasterproof_install_headers(HEADER ...): these and what they include, below include/rasterproof.
-# There each includes the others by relative paths: <rasterproof/kit/rasterize.h> needs include/
+# There each includes the others by relative paths: <rasterproof/library/rasterize.h> needs include/
 # alone.
 function(rasterproof_install_headers)
   if(NOT RASTERPROOF_INSTALL)

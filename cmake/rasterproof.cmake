@@ -136,6 +136,13 @@ function(rasterproof_headers target scope)
     $<INSTALL_INTERFACE:include> $<INSTALL_INTERFACE:include/rasterproof>)
 endfunction()
 
+# Of loops over samples, vectorised as users of rasterizers build theirs. Sanitized, the third level
+# only takes longer to compile.
+set(kernel_level "$<$<CONFIG:Release>:-O3>")
+if(RASTERPROOF_SANITIZE)
+  set(kernel_level)
+endif()
+
 # rasterproof_library(NAME SOURCES a.cc ... [LINK target ...] [PRIVATE_LINK target ...] [LUMP n]
 #   [TEXT])
 # makes the static library rasterproof_NAME. LINK is for what its headers include, PRIVATE_LINK for

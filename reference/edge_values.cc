@@ -43,13 +43,13 @@ double SnapMovesEdgeBy(Point2 a, Point2 b, Point2 p, int bits) {
 
 double ExactEdgeValues::Value(Point2 a, Point2 b, Point2 p) const {
   if (!IsFinitePoint(a) || !IsFinitePoint(b) || !IsFinitePoint(p)) return kNaN;
-  return ExactEdge(a, b, p).ToDouble();
+  return library::ExactEdge(a, b, p).ToDouble();
 }
 
 double ExactEdgeValues::ErrorBound(Point2 a, Point2 b, Point2 p) const {
   const double value = Value(a, b, p);
   if (!std::isfinite(value)) return kNaN;
-  ExactSum error = ExactEdge(a, b, p);
+  library::ExactSum error = library::ExactEdge(a, b, p);
   error.Subtract(value, 1.0);
   // Half a unit in the last place is at most u |value|; among subnormals, half of the smallest.
   return std::fabs(error.ToDouble()) == 0 && error.Sign() == 0

@@ -10,10 +10,10 @@
 
 #include "core/evaluators.h"
 #include "core/scene.h"
+#include "library/exact_sign.h"
 #include "reference/bounds.h"
 #include "reference/edge_ownership.h"
 #include "reference/edge_walks.h"
-#include "reference/exact_sign.h"
 #include "reference/integer_form.h"
 
 namespace rasterproof::reference {

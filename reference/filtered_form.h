@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/vertex.h"
+#include "library/exact_sign.h"
 #include "reference/edge_forms.h"
-#include "reference/exact_sign.h"
 
 namespace rasterproof::reference {
 
@@ -22,8 +22,8 @@ class FilteredForm {
   static Point Convert(Point2 p) { return {p.x, p.y}; }
   static double Centre(int n) { return n + 0.5; }
   double At(double x, double y) const {
-    const FilteredEdge e = FilterEdge(a_, b_, {x, y});
-    return e.certain ? e.value : UnfilteredEdgeSign(a_, b_, {x, y});
+    const library::FilteredEdge e = library::FilterEdge(a_, b_, {x, y});
+    return e.certain ? e.value : library::UnfilteredEdgeSign(a_, b_, {x, y});
   }
 
  private:

@@ -7,17 +7,18 @@
 #include <utility>
 
 #include "core/vertex.h"
+#include "library/exact_sign.h"
+#include "library/row_crossing.h"
 #include "reference/box.h"
-#include "reference/exact_sign.h"
 #include "reference/machine.h"
 #include "reference/method.h"
-#include "reference/row_crossing.h"
 
 namespace rasterproof::reference {
 namespace {
 
 /// Adds one to the span [x0, x1) of each row in [row0, row1) between two edges.
-void FillRows(const RowCrossing& one, const RowCrossing& other, int row0, int row1, FillTarget to) {
+void FillRows(const library::RowCrossing& one, const library::RowCrossing& other, int row0,
+              int row1, FillTarget to) {
   const auto [counts, width] = std::pair{to.counts, to.width};
   for (int j = row0; j < row1; ++j) {
     const int at_one = one.At(j, to.area.x0, to.area.x1);
@@ -36,7 +37,7 @@ std::pair<int, int> RowsBetween(double from, double to, const PixelRect& clip) {
 }  // namespace
 
 int ExactFacing(const Corners3& v, const RasterOptions& /*options*/) {
-  return EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2]));
+  return library::EdgeSign(WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2]));
 }
 
 void FillSpans(const Corners3& v, const RasterOptions& /*options*/, const FillTarget& to) {
@@ -45,11 +46,11 @@ void FillSpans(const Corners3& v, const RasterOptions& /*options*/, const FillTa
   const auto& [top, middle, bottom] = by_y;
   const auto [first, last] = RowsBetween(top.y, bottom.y, to.area);
   if (first >= last) return;
-  const RowCrossing whole(top, bottom);
+  const library::RowCrossing whole(top, bottom);
   const int bend = FirstCentreFrom(middle.y, first, last);
   RunForThisMachine([&] {
-    if (first < bend) FillRows(whole, RowCrossing(top, middle), first, bend, to);
-    if (bend < last) FillRows(whole, RowCrossing(middle, bottom), bend, last, to);
+    if (first < bend) FillRows(whole, library::RowCrossing(top, middle), first, bend, to);
+    if (bend < last) FillRows(whole, library::RowCrossing(middle, bottom), bend, last, to);
   });
 }
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "reference/decode.h"
+#include "library/decode.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -29,9 +29,9 @@ std::array<std::uint64_t, 5> LimbsOfProduct(std::uint64_t a, std::uint64_t b, st
 }  // namespace
 
 void TripleSum::Add(double x, double y, double z) {
-  const Decoded a = Decode(x);
-  const Decoded b = Decode(y);
-  const Decoded c = Decode(z);
+  const library::Decoded a = library::Decode(x);
+  const library::Decoded b = library::Decode(y);
+  const library::Decoded c = library::Decode(z);
   const bool negative = std::signbit(x) != (std::signbit(y) != std::signbit(z));
   const int shift = a.exponent + b.exponent + c.exponent - kUnitExponent;
   std::size_t limb = static_cast<std::size_t>(shift) / 32;

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> IndicesOf(const Scene& scene) {
 }
 
 /// Adds what a surface of facings holds.
-void AddSurface(kernels::Surface& surface, const Scene& scene, const DrawOptions& options,
+void AddSurface(library::kernels::Surface& surface, const Scene& scene, const DrawOptions& options,
                 CoverageCounts& counts) {
   const PixelRect area = DrawArea(scene, options);
   const auto add = [&](int plane, std::vector<std::uint32_t>& to) {
@@ -62,19 +62,19 @@ bool KernelsPay(const Scene& scene) {
   return scene.triangles.size() >= std::max(kFewest, pixels / kPixelsATriangle);
 }
 
-void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
-                  CoverageCounts& counts) {
+void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
+                  const DrawOptions& options, CoverageCounts& counts) {
   std::optional<FloatEnvironment> sane;  // its vertices are rounded to the grid
-  if (method == kernels::KernelMethod::kFixedTiles) sane.emplace();
-  std::vector<kernels::KernelVertex> vertices;
+  if (method == library::kernels::KernelMethod::kFixedTiles) sane.emplace();
+  std::vector<library::kernels::KernelVertex> vertices;
   vertices.reserve(scene.vertices.size());
   for (const Vertex& v : scene.vertices) {
     vertices.push_back({static_cast<float>(v.x), static_cast<float>(v.y), 0});
   }
   const std::vector<std::uint32_t> indices = IndicesOf(scene);
-  kernels::Surface surface(kernels::Sink::kFacing, scene.width, scene.height);
-  kernels::Draw(method, kernels::SupportedTargets().back(),
-                {vertices, indices, scene.width, scene.height}, surface);
+  library::kernels::Surface surface(library::kernels::Sink::kFacing, scene.width, scene.height);
+  library::kernels::Draw(method, library::kernels::SupportedTargets().back(),
+                         {vertices, indices, scene.width, scene.height}, surface);
   AddSurface(surface, scene, options, counts);
 }
 
@@ -85,16 +85,16 @@ bool ClipKernelTakes(const Scene& scene) {
 }
 
 void DrawByClipKernel(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
-  std::vector<kernels::ClipVertex> vertices;
+  std::vector<library::kernels::ClipVertex> vertices;
   vertices.reserve(scene.vertices.size());
   for (const Vertex& v : scene.vertices) {
     vertices.push_back(
         {static_cast<float>(v.x), static_cast<float>(v.y), 0, static_cast<float>(v.w)});
   }
   const std::vector<std::uint32_t> indices = IndicesOf(scene);
-  kernels::Surface surface(kernels::Sink::kFacing, scene.width, scene.height);
-  kernels::DrawClip(kernels::SupportedTargets().back(),
-                    {vertices, indices, scene.width, scene.height}, surface);
+  library::kernels::Surface surface(library::kernels::Sink::kFacing, scene.width, scene.height);
+  library::kernels::DrawClip(library::kernels::SupportedTargets().back(),
+                             {vertices, indices, scene.width, scene.height}, surface);
   AddSurface(surface, scene, options, counts);
 }
 

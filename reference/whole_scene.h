@@ -5,7 +5,7 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/scene.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 
 namespace rasterproof::reference {
 
@@ -25,8 +25,8 @@ bool KernelsPay(const Scene& scene);
 ///
 /// Domain:     KernelsTake(scene); Draws(method, kFacing); counts of the scene's size, one sample a
 ///             pixel.
-void DrawByKernel(kernels::KernelMethod method, const Scene& scene, const DrawOptions& options,
-                  CoverageCounts& counts);
+void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
+                  const DrawOptions& options, CoverageCounts& counts);
 
 /// The same by the kernel of clip space, without a near plane.
 ///

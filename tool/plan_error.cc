@@ -18,7 +18,7 @@
 #include "core/vertex.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
-#include "reference/kernels/kernel.h"
+#include "library/kernels/kernel.h"
 #include "reference/method.h"
 
 namespace rasterproof::tool {
@@ -96,11 +96,11 @@ double SnapDistance(int bits) { return std::ldexp(std::numbers::sqrt2 / 2, -bits
 
 std::string BeyondText(double limit) { return fmt::format("a corner lies beyond {} px", limit); }
 
-ProvedError KernelError(reference::kernels::KernelMethod kernel, const Scene& scene) {
-  using reference::kernels::KernelMethod;
+ProvedError KernelError(library::kernels::KernelMethod kernel, const Scene& scene) {
+  using library::kernels::KernelMethod;
   if (kernel == KernelMethod::kExact) return {0, "exact for every finite float32"};
   if (kernel != KernelMethod::kFixedTiles) return {.why = "no bound is proved of it"};
-  const double limit = reference::kernels::kFixedRange;
+  const double limit = library::kernels::kFixedRange;
   if (LargestCoordinate(scene) > limit) return {.why = BeyondText(limit)};
   return {SnapDistance(8), "corners on 1/256 px, exact from there"};
 }
@@ -122,7 +122,7 @@ double CoveredPerTriangle(const Scene& scene) {
 
 ProvedError ProvedErrorOf(std::string_view name, const Scene& scene) {
   constexpr std::string_view kKernel = "kernel-";
-  for (const auto kernel : reference::kernels::kKernelMethods) {
+  for (const auto kernel : library::kernels::kKernelMethods) {
     if (name.starts_with(kKernel) && name.substr(kKernel.size()) == NameOf(kernel)) {
       return KernelError(kernel, scene);
     }
@@ -172,7 +172,7 @@ std::vector<ErrorChoice> ErrorChoices(const BenchResult& bench, std::size_t fami
       static_cast<double>(std::max<std::uint64_t>(1, bench.families[family].triangles));
   for (const BenchRow& row : bench.rows) {
     const BenchMethod& method = bench.methods[row.method];
-    if (row.family != family || method.sink != NameOf(reference::kernels::Sink::kFacing)) continue;
+    if (row.family != family || method.sink != NameOf(library::kernels::Sink::kFacing)) continue;
     if (row.method == bench.families[family].twin) continue;
     const ProvedError error = ProvedErrorOf(method.name, scene);
     choices.push_back({.method = method.name,

@@ -1,6 +1,6 @@
 # The kernel of clip space in double: N = V_j x V_i is off by one rounding in each component. A fused
 # product only rounds less.
-# Proves the numbers of reference/kernels/clip_errors.h, u = 2^-53.
+# Proves the numbers of library/kernels/clip_errors.h, u = 2^-53.
 # Run: gappa -Eprecision=240 clip_kernel.g
 
 # A term of N . (x, y, w): its component, product and two sums; and at least what the sum of sizes is.

@@ -1,7 +1,7 @@
 # The sign filter of the direct form: l and r carry three roundings each, so the exact difference is
 # within `three` (|l| + |r|) of l - r. Where |fl(l - r)| > fl(multiplier fl(|l| + |r|)), |l - r| is at
 # least `least` (|l| + |r|), which is more.
-# Proves the numbers of kFilterErrorMultiplier (reference/exact_sign.h) and kEdgeErrorMultiplier
+# Proves the numbers of kFilterErrorMultiplier (library/exact_sign.h) and kEdgeErrorMultiplier
 # (exact/filters.h), underflow apart. Run: gappa -Eprecision=240 edge_filter.g
 
 three = 1 / ((1 + d1) * (1 + d2) * (1 + d3)) - 1;

@@ -3,7 +3,7 @@
 # |q| <= 2, |x| <= 1. Of q the three differences, the quotient and the product round once each (r3:
 # of dy; the product not at all where it is fused), then a and the sum. Y may be either end's.
 # Proves the room of kNearCrossingError, 14u (65 + 1) < 2^-14, and of kSmallCrossingError, 2^-15 for
-# 14u (9 + 1) and what is cut off below 2^-16 (reference/kernels/crossing_errors.h). That of kCrossingError, in double, is
+# 14u (9 + 1) and what is cut off below 2^-16 (library/kernels/crossing_errors.h). That of kCrossingError, in double, is
 # row_crossing.g's: 13u (2^26 + 1) < 2^-22.
 # Run: gappa -Eprecision=240 kernel_crossing.g
 

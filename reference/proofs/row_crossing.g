@@ -4,7 +4,7 @@
 # the caller's at +- error, an error of less than 17u. `guess` is how far the guess is off, `end` how
 # far an end has moved inwards at most.
 # Proves the room of kCrossingErrorMultiplier = 16u (exact/row_edge.h), computed with two roundings,
-# and of kCrossingError (reference/row_crossing.h): 13u (2^28 + 1) < 2^-21.
+# and of kCrossingError (library/row_crossing.h): 13u (2^28 + 1) < 2^-21.
 # Run: gappa -Eprecision=240 row_crossing.g
 
 five = (1 + r1) * (1 + r2) * (1 + r4) * (1 + r5) / (1 + r3) - 1;

@@ -16,9 +16,9 @@
 namespace rasterproof::subjects {
 namespace {
 
-using reference::kernels::KernelMethod;
+using library::kernels::KernelMethod;
 
-// The kernel's statements are those of reference/kernels/kernel.h.
+// The kernel's statements are those of library/kernels/kernel.h.
 struct KernelRow {
   std::string_view name;
   std::string_view summary;
@@ -47,7 +47,7 @@ class KernelSubject final : public Subject {
     if (method_ == KernelMethod::kFixedTiles) {
       info_.profile.name = row.name;
       info_.profile.snap = {8, SnapRule::kNearestEven};
-      info_.profile.coordinate_limit = double{reference::kernels::kFixedRange};
+      info_.profile.coordinate_limit = double{library::kernels::kFixedRange};
       info_.states_exact = true;
     }
   }

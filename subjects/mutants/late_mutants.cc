@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/snap.h"
-#include "reference/exact_sign.h"
+#include "library/exact_sign.h"
 #include "subjects/mutants/mutant.h"
 #include "subjects/mutants/placing.h"
 
@@ -89,7 +89,7 @@ std::vector<Mutant> OtherOnes() {
        RealStages{.sign =
                       [](Point2 a, Point2 b, Point2 p) {
                         if (std::hypot(b.x - a.x, b.y - a.y) >= 1) {
-                          return reference::EdgeSign(a, b, p);
+                          return library::EdgeSign(a, b, p);
                         }
                         const auto f = [](double x) { return static_cast<float>(x); };
                         const float left = (f(p.x) - f(a.x)) * (f(b.y) - f(a.y));

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/float_environment.h"
-#include "reference/exact_sign.h"
+#include "library/exact_sign.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/mutant.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 int ExactSign(Point2 a, Point2 b, Point2 p) {
   const FloatEnvironment sane;
-  return reference::EdgeSign(a, b, p);
+  return library::EdgeSign(a, b, p);
 }
 
 // Adding 1.5 2^44 rounds to multiples of 2^-8, as the thread rounds.

@@ -8,7 +8,7 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/scene.h"
-#include "reference/exact_sign.h"
+#include "library/exact_sign.h"
 
 namespace rasterproof::subjects::mutants {
 namespace {
@@ -46,7 +46,7 @@ class RealGeometry final : public Subject {
 
  private:
   int Sign(Point2 a, Point2 b, Point2 p) const {
-    return stages_.sign ? stages_.sign(a, b, p) : reference::EdgeSign(a, b, p);
+    return stages_.sign ? stages_.sign(a, b, p) : library::EdgeSign(a, b, p);
   }
 
   bool Covers(const Points& v, Point2 p) const {

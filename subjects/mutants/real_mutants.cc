@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "reference/exact_sign.h"
+#include "library/exact_sign.h"
 #include "reference/homogeneous.h"
 #include "subjects/mutants/mutant.h"
 
@@ -40,7 +40,7 @@ RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p)) { return {.sign = 
 // The exact sign where |E| is within `band` roundings of the products' size, else that of `form`.
 template <class T>
 int FilteredSign(T e, T size, T band, Point2 a, Point2 b, Point2 p) {
-  return std::fabs(e) > band * size ? SignOf(e) : reference::EdgeSign(a, b, p);
+  return std::fabs(e) > band * size ? SignOf(e) : library::EdgeSign(a, b, p);
 }
 
 template <class T>
@@ -68,7 +68,7 @@ int SignByFirstBand(Point2 a, Point2 b, Point2 p) {
     oldest = (oldest + 1) % 3;
   }
   const auto e = Direct<float>(a, b, p);
-  if (!std::isfinite(e) || std::fabs(e) < 0x1p-100F) return reference::EdgeSign(a, b, p);
+  if (!std::isfinite(e) || std::fabs(e) < 0x1p-100F) return library::EdgeSign(a, b, p);
   return FilteredSign<float>(e, band.size, 0x1p-21F, a, b, p);
 }
 
@@ -83,7 +83,7 @@ std::vector<Mutant> Signs() {
       {"real-contracted-one-side", "edges that rise are contracted, the others are exact",
        "contraction in one of two functions that should agree",
        Signing([](Point2 a, Point2 b, Point2 p) {
-         return b.y < a.y ? SignOf(Contracted(a, b, p)) : reference::EdgeSign(a, b, p);
+         return b.y < a.y ? SignOf(Contracted(a, b, p)) : library::EdgeSign(a, b, p);
        })},
       {"real-filter-too-narrow", "the float32 filter's band is half a rounding wide", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
@@ -92,7 +92,7 @@ std::vector<Mutant> Signs() {
        })},
       {"real-filter-band-kept", "the float32 filter keeps an edge's band from its first sample", "",
        RealStages{.sign = SignByFirstBand,
-                  .facing = [](const Points& v) { return reference::EdgeSign(v[0], v[1], v[2]); }}},
+                  .facing = [](const Points& v) { return library::EdgeSign(v[0], v[1], v[2]); }}},
       {"real-filter-relative", "the filter is relative to the value, not to its products", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          const double e = Direct<double>(a, b, p);
@@ -100,17 +100,17 @@ std::vector<Mutant> Signs() {
        })},
       {"real-epsilon", "edge values within 10^-6 of zero count as zero", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
-         return std::fabs(Direct<double>(a, b, p)) < 1e-6 ? 0 : reference::EdgeSign(a, b, p);
+         return std::fabs(Direct<double>(a, b, p)) < 1e-6 ? 0 : library::EdgeSign(a, b, p);
        })},
       {"real-underflow", "a product that underflows counts as zero", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          const auto tiny = [](double x) { return std::fabs(x) < 0x1p-126; };
          const bool lost = tiny((p.x - a.x) * (b.y - a.y)) && tiny((p.y - a.y) * (b.x - a.x));
-         return lost ? 0 : reference::EdgeSign(a, b, p);
+         return lost ? 0 : library::EdgeSign(a, b, p);
        })},
       {"real-overflow", "an edge value that overflows float32 counts as outside", "xemu #2510",
        Signing([](Point2 a, Point2 b, Point2 p) {
-         return std::isfinite(Direct<float>(a, b, p)) ? reference::EdgeSign(a, b, p) : -1;
+         return std::isfinite(Direct<float>(a, b, p)) ? library::EdgeSign(a, b, p) : -1;
        })},
       {"real-differences-rounded", "exact products of differences that were rounded to float32", "",
        Signing([](Point2 a, Point2 b, Point2 p) {

@@ -8,7 +8,7 @@
 
 #include "core/coverage.h"
 #include "core/scene.h"
-#include "reference/exact_sign.h"
+#include "library/exact_sign.h"
 #include "subjects/mutants/placing.h"
 
 namespace rasterproof::subjects::mutants {
@@ -67,7 +67,7 @@ class Squares final : public Subject {
   bool Passes(Point2 a, Point2 b, int inner, Contact contact, const Corners4& corners) const {
     std::array<int, 4> signs{};
     for (std::size_t k = 0; k < 4; ++k) {
-      signs[k] = inner * reference::EdgeSign(a, b, corners[k]);
+      signs[k] = inner * library::EdgeSign(a, b, corners[k]);
     }
     const auto [least, most] = std::ranges::minmax(signs);
     const int deciding = stages_.holds ? least : most;
@@ -103,7 +103,7 @@ class Squares final : public Subject {
   }
 
   void DrawOne(const std::array<Point2, 3>& v, CoverageCounts& counts) const {
-    const int facing = reference::EdgeSign(v[0], v[1], v[2]);
+    const int facing = library::EdgeSign(v[0], v[1], v[2]);
     if (facing == 0 && !stages_.draws_flat) return;
     if (stages_.drops && stages_.drops(v)) return;
     const double u = stages_.half_width;

@@ -164,9 +164,9 @@ TEST(RunFamily, DrawsTheLeastRoundsThoughItsTimeIsOver) {
 
 // A target of the family before is none of this one's.
 TEST(KernelContender, DrawsAloneOnTheLoadedFamilysTarget) {
-  const auto kernel = MakeKernelContender(reference::kernels::KernelMethod::kExact,
-                                          reference::kernels::SupportedTargets().front(),
-                                          reference::kernels::Sink::kFacing);
+  const auto kernel = MakeKernelContender(library::kernels::KernelMethod::kExact,
+                                          library::kernels::SupportedTargets().front(),
+                                          library::kernels::Sink::kFacing);
   for (const std::string_view name : {"fan", "walks"}) {
     const auto kinds = FamilyKinds();
     const FamilyInput family =

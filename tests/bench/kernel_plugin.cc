@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "kit/rasterproof_plugin.h"
-#include "kit/rasterproof_rasterize.h"
+#include "library/rasterproof_rasterize.h"
 
 namespace {
 

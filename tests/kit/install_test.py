@@ -15,9 +15,9 @@ CMAKE = sys.argv[1]
 BUILD, SOURCES = (os.path.realpath(path) for path in sys.argv[2:4])
 CONSUMER = os.path.join(SOURCES, "tests/kit/consumer")
 HEADERS = ("kit/bitmap_plugin.h", "kit/filter_plugin.h", "kit/fuzz.h", "kit/gtest.h",
-           "kit/hard_scenes.h", "kit/plugin_server.h", "kit/rapidcheck.h", "kit/rasterize.h",
+           "kit/hard_scenes.h", "kit/plugin_server.h", "kit/rapidcheck.h", "library/rasterize.h",
            "kit/rasterproof_oracle.h", "kit/rasterproof_plugin.h",
-           "kit/rasterproof_rasterize.h")  # fmt: skip
+           "library/rasterproof_rasterize.h")  # fmt: skip
 
 
 def run(*command, **options):
@@ -215,7 +215,7 @@ class InAnotherTree(unittest.TestCase):
                            f'FetchContent_Declare(rasterproof SOURCE_DIR "{SOURCES}")\n'
                            "set(RASTERPROOF_LIBRARY_ONLY ON)\n"
                            "FetchContent_MakeAvailable(rasterproof)\n"
-                           "file(WRITE x.cc [[#include <rasterproof/kit/rasterize.h>\n"
+                           "file(WRITE x.cc [[#include <rasterproof/library/rasterize.h>\n"
                            "int main() {}]])\n"
                            "add_executable(x x.cc)\n"
                            "target_compile_features(x PRIVATE cxx_std_20)\n"

@@ -8,9 +8,9 @@
 #include "exact/edge.h"
 #include "exact/filters.h"
 #include "exact/homogeneous.h"
+#include "library/exact_sign.h"
 #include "reference/barycentric_forms.h"
 #include "reference/barycentrics.h"
-#include "reference/exact_sign.h"
 #include "reference/homogeneous.h"
 #include "reference/homogeneous_edges.h"
 #include "reference/method.h"
@@ -93,7 +93,7 @@ ErrorAndBound EdgeFilter(const Numbers& n) {
   const double l = (n[4] - n[0]) * (n[3] - n[1]);
   const double r = (n[5] - n[1]) * (n[2] - n[0]);
   const Rational exact = exact::EdgeValue({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]});
-  return {(Rational(l) - r - exact).Abs(), Rational(FilterBound(l, r))};
+  return {(Rational(l) - r - exact).Abs(), Rational(library::FilterBound(l, r))};
 }
 
 ErrorAndBound DeterminantFilter(const Numbers& n) {

@@ -13,8 +13,8 @@
 #include "exact/homogeneous_crossing.h"
 #include "exact/rational.h"
 #include "exact/row_edge.h"
-#include "reference/kernels/crossing_errors.h"
-#include "reference/row_crossing.h"
+#include "library/kernels/crossing_errors.h"
+#include "library/row_crossing.h"
 #include "tests/reference/bound_witnesses.h"
 
 namespace rasterproof::reference::witness {
@@ -29,14 +29,15 @@ Rational CrossingOf(const Numbers& n, double y) {
   return Rational(n[0]) + (Rational(y) - n[1]) * slope;
 }
 
-/// The guess, and what RowCrossing::At makes of it.
+/// The guess, and what library::RowCrossing::At makes of it.
 ErrorAndBound OfSpans(const Numbers& n) {
-  const double guess = RowCrossing({n[0], n[1]}, {n[2], n[3]}).Guess(static_cast<int>(n[4]));
-  constexpr double kAdded = 0.5 + RowCrossing::kCrossingError;
+  const double guess =
+      library::RowCrossing({n[0], n[1]}, {n[2], n[3]}).Guess(static_cast<int>(n[4]));
+  constexpr double kAdded = 0.5 + library::RowCrossing::kCrossingError;
   const Rational crossing = CrossingOf(n, n[4] + 0.5);
   return {std::max((Rational(guess) - crossing).Abs(),
                    (Rational(guess + kAdded) - kAdded - crossing).Abs()),
-          Rational(RowCrossing::kCrossingError)};
+          Rational(library::RowCrossing::kCrossingError)};
 }
 
 /// How much of its error a guess needs: its ends are rounded, too.
@@ -77,8 +78,8 @@ ErrorAndBound OfKernel(const Numbers& n, T error) {
 
 /// From either end, cut off to fixed point.
 ErrorAndBound OfSmall(const Numbers& n) {
-  constexpr float kError = kernels::kSmallCrossingError;
-  constexpr float kUnit = kernels::kSmallUnit;
+  constexpr float kError = library::kernels::kSmallCrossingError;
+  constexpr float kUnit = library::kernels::kSmallUnit;
   const auto f = [&](std::size_t i) { return static_cast<float>(n[i]); };
   const float slope = (f(2) * kUnit - f(0) * kUnit) / (f(3) - f(1));
   const Rational crossing = CrossingOf(n, n[4]) + Rational(0.5) + kError;
@@ -97,7 +98,7 @@ ErrorAndBound OfSmall(const Numbers& n) {
 /// The first row of the edge is n[4], its crossing with the row n[6] is asked for, n[5] rows before
 /// which the vector begins.
 ErrorAndBound OfSteps(const Numbers& n) {
-  constexpr double kError = kernels::kStepError;
+  constexpr double kError = library::kernels::kStepError;
   const double slope = (n[2] - n[0]) / (n[3] - n[1]);
   const double first = (n[4] + 0.5 - n[1]) * slope + (n[0] + (0.5 + kError));
   const auto fixed = [](double v) { return static_cast<std::int64_t>(v * 0x1p32); };
@@ -109,8 +110,8 @@ ErrorAndBound OfSteps(const Numbers& n) {
   return {(Rational(std::ldexp(static_cast<double>(guess), -16)) - crossing).Abs(),
           Rational(kError)};
 }
-ErrorAndBound OfNear(const Numbers& n) { return OfKernel(n, kernels::kNearCrossingError); }
-ErrorAndBound OfWide(const Numbers& n) { return OfKernel(n, kernels::kCrossingError); }
+ErrorAndBound OfNear(const Numbers& n) { return OfKernel(n, library::kernels::kNearCrossingError); }
+ErrorAndBound OfWide(const Numbers& n) { return OfKernel(n, library::kernels::kCrossingError); }
 
 /// BoxEdge::Crossing of a plan in 32 bits: the bias has to be more than all that rounds.
 ErrorAndBound OfPlan(const Numbers& n) {

@@ -1,12 +1,12 @@
 // The exact accumulator and the row crossings that rest on it.
-#include "reference/exact_sum.h"
+#include "library/exact_sum.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "reference/row_crossing.h"
+#include "library/row_crossing.h"
 #include "tests/reference/brute_force.h"
 #include "tests/reference/random_values.h"
 
@@ -20,7 +20,7 @@ TEST(ExactSumTest, EveryDoubleComesBackAsItself) {
   RandomValues random(61);
   for (int n = 0; n < 5000; ++n) {
     const double x = random.AnyFinite<double>();
-    ExactSum sum;
+    library::ExactSum sum;
     sum.Add(x, 1.0);
     EXPECT_EQ(sum.ToDouble(), x);
     EXPECT_EQ(sum.Sign(), x > 0 ? 1 : -1);
@@ -35,11 +35,11 @@ TEST(ExactSumTest, ProductsRoundOnceToNearestEven) {
   for (int n = 0; n < 5000; ++n) {
     const double x = random.LogUniform<double>(-600, 600);
     const double y = random.LogUniform<double>(-600, 400);
-    ExactSum sum;
+    library::ExactSum sum;
     sum.Add(x, y);
     EXPECT_EQ(sum.ToDouble(), x * y);
   }
-  ExactSum tie;
+  library::ExactSum tie;
   tie.Add(1, 1);
   tie.Add(0x1p-53, 1);
   EXPECT_EQ(tie.ToDouble(), 1);
@@ -48,7 +48,7 @@ TEST(ExactSumTest, ProductsRoundOnceToNearestEven) {
 }
 
 TEST(ExactSumTest, NothingIsLostBetweenTheEndsOfTheExponentRange) {
-  ExactSum sum;
+  library::ExactSum sum;
   sum.Add(kLargest, kLargest);
   EXPECT_EQ(sum.ToDouble(), std::numeric_limits<double>::infinity());
   sum.Subtract(kSmallest, kSmallest);
@@ -64,7 +64,7 @@ TEST(ExactSumTest, NothingIsLostBetweenTheEndsOfTheExponentRange) {
 TEST(ExactSumTest, CarriesRunThroughFullWords) {
   // 318 ones in a row and one more at the bottom, at every offset within a word.
   for (int offset = 0; offset < 64; ++offset) {
-    ExactSum sum;
+    library::ExactSum sum;
     for (int n = 0; n < 6; ++n) sum.Add(0x1p53 - 1, std::ldexp(1.0, offset + 53 * n));
     sum.Add(std::ldexp(1.0, offset), 1.0);
     EXPECT_EQ(sum.ToDouble(), std::ldexp(1.0, offset + 318));
@@ -90,8 +90,8 @@ TEST(RowCrossingTest, TheCrossingIsTheFirstColumnAtOrRightOfTheEdge) {
     if (!(upper.y <= y && y < lower.y)) continue;
     int expected = 0;
     while (expected < 64 && BruteForceEdgeSign(upper, lower, {expected + 0.5, y}) < 0) ++expected;
-    EXPECT_EQ(RowCrossing(upper, lower).At(j, 0, 64), expected);
-    EXPECT_EQ(RowCrossing(upper, lower).At(j, 5, 9), std::clamp(expected, 5, 9));
+    EXPECT_EQ(library::RowCrossing(upper, lower).At(j, 0, 64), expected);
+    EXPECT_EQ(library::RowCrossing(upper, lower).At(j, 5, 9), std::clamp(expected, 5, 9));
   }
 }
 

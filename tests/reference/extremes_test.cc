@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "library/exact_sign.h"
 #include "model/snap_scene.h"
-#include "reference/exact_sign.h"
 #include "tests/reference/brute_force.h"
 #include "tests/reference/random_values.h"
 #include "tests/reference/scenes.h"
@@ -89,12 +89,12 @@ TEST(ExtremesTest, ExactMethodsAgreeWithBruteForceOnAnUlpBesideCentres) {
 }
 
 TEST(ExtremesTest, SignsSurviveProductsThatUnderflowOrOverflow) {
-  EXPECT_EQ(EdgeSign({0, 0}, {1e-200, 1e-200}, {2e-200, 3e-200}), -1);
-  EXPECT_EQ(EdgeSign({0, 0}, {1e200, 1e200}, {2e200, 3e200}), -1);
-  EXPECT_EQ(EdgeSign({-kMax, -kMax}, {kMax, kMax}, {0.5, 0.5}), 0);
-  EXPECT_EQ(EdgeSign({-kMax, -kMax}, {kMax, kMax}, {0.5, MoveByUlps(0.5, 1)}), -1);
-  EXPECT_EQ(EdgeSign({0, 0}, {kTiny, kTiny}, {kMax, kMax}), 0);
-  EXPECT_EQ(EdgeSign({0, 0}, {kTiny, 2 * kTiny}, {kMax, kMax}), 1);
+  EXPECT_EQ(library::EdgeSign({0, 0}, {1e-200, 1e-200}, {2e-200, 3e-200}), -1);
+  EXPECT_EQ(library::EdgeSign({0, 0}, {1e200, 1e200}, {2e200, 3e200}), -1);
+  EXPECT_EQ(library::EdgeSign({-kMax, -kMax}, {kMax, kMax}, {0.5, 0.5}), 0);
+  EXPECT_EQ(library::EdgeSign({-kMax, -kMax}, {kMax, kMax}, {0.5, MoveByUlps(0.5, 1)}), -1);
+  EXPECT_EQ(library::EdgeSign({0, 0}, {kTiny, kTiny}, {kMax, kMax}), 0);
+  EXPECT_EQ(library::EdgeSign({0, 0}, {kTiny, 2 * kTiny}, {kMax, kMax}), 1);
 }
 
 TEST(ExtremesTest, EveryTierDecidesAsBruteForceDoes) {
@@ -107,10 +107,10 @@ TEST(ExtremesTest, EveryTierDecidesAsBruteForceDoes) {
     const Point2 b = n % 3 == 0 ? Point2{a.y, a.x} : point();
     const Point2 p = n % 5 == 0 ? Point2{b.x / 2, b.y / 2} : point();
     const int expected = BruteForceEdgeSign(a, b, p);
-    EXPECT_EQ(EdgeSign(a, b, p), expected);
-    EXPECT_EQ(UnfilteredEdgeSign(a, b, p), expected);
-    EXPECT_EQ(ExactEdge(a, b, p).Sign(), expected);
-    filter += FilterEdge(a, b, p).certain ? 1 : 0;
+    EXPECT_EQ(library::EdgeSign(a, b, p), expected);
+    EXPECT_EQ(library::UnfilteredEdgeSign(a, b, p), expected);
+    EXPECT_EQ(library::ExactEdge(a, b, p).Sign(), expected);
+    filter += library::FilterEdge(a, b, p).certain ? 1 : 0;
     zero += expected == 0 ? 1 : 0;
   }
   EXPECT_GT(filter, 2000);

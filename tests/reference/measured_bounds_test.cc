@@ -11,8 +11,8 @@
 #include "core/vertex.h"
 #include "exact/edge.h"
 #include "exact/rational.h"
-#include "reference/exact_sign.h"
-#include "reference/row_crossing.h"
+#include "library/exact_sign.h"
+#include "library/row_crossing.h"
 #include "tests/climb.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
@@ -50,10 +50,11 @@ double FilterShare(const std::array<double, 6>& c, bool rounded) {
   const double p1 = (p.x - a.x) * (b.y - a.y);
   const double p2 = (p.y - a.y) * (b.x - a.x);
   const Rational exact = exact::EdgeValue(a, b, p);
-  const FilteredEdge filtered = FilterEdge(a, b, p);
+  const library::FilteredEdge filtered = library::FilterEdge(a, b, p);
   EXPECT_TRUE(!filtered.certain || (filtered.value > 0 ? 1 : -1) == exact.Sign());
-  if (rounded) return ((Rational(filtered.value) - exact).Abs() / FilterBound(p1, p2)).ToDouble();
-  return ShareOf(Rational(p1) - p2 - exact, FilterBound(p1, p2));
+  if (rounded)
+    return ((Rational(filtered.value) - exact).Abs() / library::FilterBound(p1, p2)).ToDouble();
+  return ShareOf(Rational(p1) - p2 - exact, library::FilterBound(p1, p2));
 }
 
 TEST(MeasuredReferenceBounds, NoSearchExceedsTheFilterOfAnEdge) {
@@ -76,8 +77,9 @@ TEST(MeasuredReferenceBounds, TheFilterBoundsTheProductsAndNotTheirRoundedDiffer
 
 TEST(MeasuredReferenceBounds, TheConstantsAreTheNumbersThatTheScriptsProve) {
   // proofs/edge_filter.g, and row_crossing.g: 13u (2^28 + 1).
-  EXPECT_EQ(kFilterErrorMultiplier, std::ldexp(27021597764222992.0, -106));
-  EXPECT_LT(std::ldexp(13, -53) * (RowCrossing::kGuessDomain + 1), RowCrossing::kCrossingError / 2);
+  EXPECT_EQ(library::kFilterErrorMultiplier, std::ldexp(27021597764222992.0, -106));
+  EXPECT_LT(std::ldexp(13, -53) * (library::RowCrossing::kGuessDomain + 1),
+            library::RowCrossing::kCrossingError / 2);
 }
 
 /// x of the ends, y of the ends, and how far down the row lies: what At() makes of the guess.
@@ -87,13 +89,15 @@ double CrossingShare(const std::array<double, 5>& c) {
   const double far = std::fabs(c[4]) - std::floor(std::fabs(c[4]));
   const double row = std::floor(upper.y * (1 - far) + lower.y * far);
   if (!(row >= 0 && row < 65536 && row + 0.5 >= upper.y && row + 0.5 < lower.y)) return 0;
-  if (std::max(std::fabs(upper.x), std::fabs(lower.x)) > RowCrossing::kGuessDomain) return 0;
-  const double guess = RowCrossing(upper, lower).Guess(static_cast<int>(row));
-  constexpr double kAdded = 0.5 + RowCrossing::kCrossingError;
+  if (std::max(std::fabs(upper.x), std::fabs(lower.x)) > library::RowCrossing::kGuessDomain)
+    return 0;
+  const double guess = library::RowCrossing(upper, lower).Guess(static_cast<int>(row));
+  constexpr double kAdded = 0.5 + library::RowCrossing::kCrossingError;
   const Rational slope = (Rational(lower.x) - upper.x) / (Rational(lower.y) - upper.y);
   const Rational truth = Rational(upper.x) + (Rational(row + 0.5) - upper.y) * slope;
-  return std::max(ShareOf(Rational(guess) - truth, RowCrossing::kCrossingError),
-                  ShareOf(Rational(guess + kAdded) - truth - kAdded, RowCrossing::kCrossingError));
+  return std::max(
+      ShareOf(Rational(guess) - truth, library::RowCrossing::kCrossingError),
+      ShareOf(Rational(guess + kAdded) - truth - kAdded, library::RowCrossing::kCrossingError));
 }
 
 TEST(MeasuredReferenceBounds, NoSearchExceedsTheErrorOfAGuessedCrossing) {

@@ -14,8 +14,8 @@
 #include "exact/filters.h"
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
+#include "library/exact_sign.h"
 #include "reference/edge_forms.h"
-#include "reference/exact_sign.h"
 #include "reference/homogeneous_edges.h"
 #include "tests/reference/bound_witnesses.h"
 #include "tests/reference/perturbed.h"
@@ -84,8 +84,8 @@ Rational OracleEdgeShare(const Numbers& n, const More& more) {
 
 Rational ReferenceEdgeShare(const Numbers& n, const More& more) {
   Roundings::Clear(Roundings::Form::kOfResult);
-  const DirectProducts<Number> products(PointAt<Number>(n, 0), PointAt<Number>(n, 2),
-                                        PointAt<Number>(n, 4));
+  const library::DirectProducts<Number> products(PointAt<Number>(n, 0), PointAt<Number>(n, 2),
+                                                 PointAt<Number>(n, 4));
   const Polynomial value = AfterProducts(products.p1, more.of_value).Terms() -
                            AfterProducts(products.p2, more.of_value).Terms();
   EXPECT_EQ(value.Here(), ExactEdgeOf(n)) << "the roundings do not explain the error";
@@ -94,9 +94,9 @@ Rational ReferenceEdgeShare(const Numbers& n, const More& more) {
   const double p2 = products.p2.Value();
 
   Roundings::Clear(Roundings::Form::kRelative);
-  const Number bound = FilterBound(Number(p1), Number(p2));
-  EXPECT_EQ(bound.Terms().Here(), Rational(FilterBound(p1, p2)));
-  EXPECT_EQ(FilterEdge({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}).value, p1 - p2);
+  const Number bound = library::FilterBound(Number(p1), Number(p2));
+  EXPECT_EQ(bound.Terms().Here(), Rational(library::FilterBound(p1, p2)));
+  EXPECT_EQ(library::FilterEdge({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}).value, p1 - p2);
   return ShareOfProducts(deviation, AfterProducts(bound, more.of_bound));
 }
 

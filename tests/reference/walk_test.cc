@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "library/exact_sign.h"
 #include "reference/edge_values.h"
-#include "reference/exact_sign.h"
 #include "tests/reference/random_values.h"
 #include "tests/reference/scenes.h"
 #include "tests/share.h"
@@ -17,7 +17,7 @@ namespace {
 
 constexpr float kDriftDy = 1 + 2.5F * 0x1p-10F;  // half of every step's last bit is rounded one way
 
-double ExactE(Point2 a, Point2 b, Point2 p) { return ExactEdge(a, b, p).ToDouble(); }
+double ExactE(Point2 a, Point2 b, Point2 p) { return library::ExactEdge(a, b, p).ToDouble(); }
 
 TEST(WalkTest, TheDriftWitnessMovesAnIncrementalEdgeByPixels) {
   const Point2 a{16384, 0};
@@ -94,8 +94,8 @@ double WorstRatio(const EdgeEvaluator& edges, Point2 a, Point2 b, Point2 p, Step
     const auto i = static_cast<std::size_t>(n);
     if (std::isnan(bounds[i])) continue;
     const double moved = static_cast<double>(step.sign) * step.length * n;
-    ExactSum error =
-        ExactEdge(a, b, {p.x + (step.along_y ? 0 : moved), p.y + (step.along_y ? moved : 0)});
+    library::ExactSum error = library::ExactEdge(
+        a, b, {p.x + (step.along_y ? 0 : moved), p.y + (step.along_y ? moved : 0)});
     error.Subtract(walk[i], 1.0);
     if (error.Sign() == 0) continue;
     worst = std::max(worst, std::fabs(error.ToDouble()) / bounds[i]);

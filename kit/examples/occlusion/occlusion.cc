@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "kit/rasterize.h"
+#include "library/rasterize.h"
 
 constexpr int kWidth = 1920;
 constexpr int kHeight = 1080;

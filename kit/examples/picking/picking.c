@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "kit/rasterproof_rasterize.h"
+#include "library/rasterproof_rasterize.h"
 
 #define WIDTH 320
 #define HEIGHT 240

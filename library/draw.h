@@ -1,0 +1,20 @@
+// The library's drawing, without its checks.
+#ifndef RASTERPROOF_LIBRARY_DRAW_H_
+#define RASTERPROOF_LIBRARY_DRAW_H_
+
+#include "library/kernels/kernel.h"
+#include "library/rasterize.h"
+
+namespace rasterproof::library {
+
+/// Whether memory (and back) has RoomFor(target) bytes, so that Draw allocates nothing.
+bool HasRoom(const RasterTarget& target);
+
+/// Draws onto the contents of the target's memory, in whatever floating-point environment.
+///
+/// Domain:     what RequireAllButIndices and RequireIndices take, and no output of squares.
+void Draw(const RasterMesh& mesh, const RasterTarget& target, library::kernels::Target simd);
+
+}  // namespace rasterproof::library
+
+#endif  // RASTERPROOF_LIBRARY_DRAW_H_

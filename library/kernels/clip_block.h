@@ -1,0 +1,357 @@
+// Setting up a block of triangles in clip space: facing, box, where rows cross edges, depth.
+#ifndef RASTERPROOF_LIBRARY_KERNELS_CLIP_BLOCK_H_
+#define RASTERPROOF_LIBRARY_KERNELS_CLIP_BLOCK_H_
+
+#include <cstddef>
+#include <cstdint>
+
+#include "library/kernels/blocks.h"
+#include "library/kernels/clip_errors.h"
+#include "library/kernels/exact_crossings.h"
+#include "library/kernels/kernel_table.h"
+#include "library/kernels/vectors.h"
+
+namespace rasterproof::library::kernels::HWY_NAMESPACE {
+
+struct alignas(64) ClipBlock {
+  double x[3][kBlock], y[3][kBlock], z[3][kBlock], w[3][kBlock];
+  /// A row at y crosses edge e at slope y + from, from with 1/2 + the error. A fraction of at least
+  /// twice_error, the largest one, tells the column. An edge without a guess cuts nothing
+  /// here: CutExactly or ClipRows does.
+  double slope[3][kBlock], from[3][kBlock], twice_error[kBlock];
+  double side[3][kBlock];  ///< infinity: columns from the crossing on are inside; -infinity: before
+  double zc[kBlock], zx[kBlock], zy[kBlock];
+  std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
+  std::uint64_t masks[kBlock];  ///< of small ones
+  // Bit i is triangle i.
+  std::uint32_t drawn;
+  std::uint32_t front;
+  std::uint32_t small;        ///< box at most 8x8, and no row that a guess does not tell
+  std::uint32_t cut;          ///< by the near plane
+  std::uint32_t parallel[3];  ///< to the rows: there is no crossing
+  std::uint32_t searched[3];  ///< of the others those without a guess
+
+  HWY_INLINE ClipTriangle TriangleOf(const KernelView& view, int i) const {
+    ClipTriangle t;
+    for (int k = 0; k < 3; ++k) {
+      t.x[k] = x[k][i];
+      t.y[k] = y[k][i];
+      t.z[k] = z[k][i];
+      t.w[k] = w[k][i];
+    }
+    t.near_plane = view.near_plane;
+    return t;
+  }
+  HWY_INLINE ClipPlane PlaneOf(int i) const { return {zc[i], zx[i], zy[i]}; }
+  HWY_INLINE bool Has(std::uint32_t bits, int i) const { return ((bits >> i) & 1) != 0; }
+};
+
+/// Vertices that are loaded at once.
+constexpr int kClipLoad = Greatest(kDoubles, 4);
+
+/// x, y, z and w of the vertices at vertex(0), vertex(1), ...
+template <class VertexAt>
+HWY_INLINE void LoadClipVertices(const VertexAt& vertex, float (&of)[4][kClipLoad]) {
+#if HWY_TARGET == HWY_SCALAR
+  for (int c = 0; c < 4; ++c) of[c][0] = vertex(0)[c];
+#else
+  const hn::FixedTag<float, 4> four;
+  const hn::FixedTag<double, 2> two;
+  const auto low = [&](auto first, auto second) {
+    return hn::BitCast(four,
+                       hn::InterleaveLower(two, hn::BitCast(two, first), hn::BitCast(two, second)));
+  };
+  const auto high = [&](auto first, auto second) {
+    return hn::BitCast(four,
+                       hn::InterleaveUpper(two, hn::BitCast(two, first), hn::BitCast(two, second)));
+  };
+  // Four at a time; where there are two lanes, those two twice.
+  constexpr int kNext = kDoubles < 4 ? 0 : 2;
+  for (int i = 0; i < kDoubles; i += 4) {
+    const auto a = hn::LoadU(four, vertex(i));
+    const auto b = hn::LoadU(four, vertex(i + 1));
+    const auto c = hn::LoadU(four, vertex(i + kNext));
+    const auto d = hn::LoadU(four, vertex(i + kNext + 1));
+    const auto xy01 = hn::InterleaveLower(four, a, b);
+    const auto xy23 = hn::InterleaveLower(four, c, d);
+    const auto zw01 = hn::InterleaveUpper(four, a, b);
+    const auto zw23 = hn::InterleaveUpper(four, c, d);
+    hn::Store(low(xy01, xy23), four, of[0] + i);
+    hn::Store(high(xy01, xy23), four, of[1] + i);
+    hn::Store(low(zw01, zw23), four, of[2] + i);
+    hn::Store(high(zw01, zw23), four, of[3] + i);
+  }
+#endif
+}
+
+using VDI = hn::Vec<DDI>;
+
+/// The corners of one group of lanes in double.
+struct ClipGroup {
+  VD x[3], y[3], z[3], w[3];
+
+  HWY_INLINE ClipGroup(const float* vertices, const std::uint32_t* indices) {
+    const DD dd;
+    const DDF df;
+    for (int k = 0; k < 3; ++k) {
+      alignas(64) float of[4][kClipLoad];
+      LoadClipVertices([&](int i) { return vertices + std::size_t{4} * indices[3 * i + k]; }, of);
+      x[k] = hn::PromoteTo(dd, hn::Load(df, of[0]));
+      y[k] = hn::PromoteTo(dd, hn::Load(df, of[1]));
+      z[k] = hn::PromoteTo(dd, hn::Load(df, of[2]));
+      w[k] = hn::PromoteTo(dd, hn::Load(df, of[3]));
+    }
+  }
+};
+
+/// N = V_j x V_i of each lane.
+struct ClipNormals {
+  VD x, y, w;
+
+  HWY_INLINE ClipNormals(const ClipGroup& g, int i, int j) {
+    // Products are exact: a fused difference is the same.
+    x = hn::Sub(hn::Mul(g.y[j], g.w[i]), hn::Mul(g.w[j], g.y[i]));
+    y = hn::Sub(hn::Mul(g.w[j], g.x[i]), hn::Mul(g.x[j], g.w[i]));
+    w = hn::Sub(hn::Mul(g.x[j], g.y[i]), hn::Mul(g.y[j], g.x[i]));
+  }
+};
+
+HWY_INLINE std::uint32_t Bits32(MD mask) {
+  return static_cast<std::uint32_t>(MaskBits(DD(), mask));
+}
+
+/// Lanes whose x, y and w (and z where it decides) are finite, and which lie before the eye and the
+/// near plane, if perhaps in part. `cut` are those that the near plane cuts.
+HWY_INLINE MD MayBeSeen(const KernelView& view, const ClipGroup& g, MD& cut) {
+  const DD dd;
+  const VD zero = hn::Zero(dd);
+  VD sum = zero;  // 0 of finite numbers, NaN of others
+  VD before = hn::Set(dd, -1.0);
+  for (int k = 0; k < 3; ++k) {
+    for (const VD v : {g.x[k], g.y[k], g.w[k]}) sum = hn::Add(sum, hn::Sub(v, v));
+    before = hn::Max(before, g.w[k]);
+  }
+  MD seen = hn::Gt(before, zero);
+  cut = hn::Lt(zero, zero);
+  if (view.near_plane != NearPlane::kNone) {
+    MD all = hn::Eq(zero, zero);
+    MD any = cut;
+    for (int k = 0; k < 3; ++k) {
+      sum = hn::Add(sum, hn::Sub(g.z[k], g.z[k]));
+      // Rounded, a sum has its sign.
+      const VD n = view.near_plane == NearPlane::kMinusW ? hn::Add(g.z[k], g.w[k]) : g.z[k];
+      all = hn::And(all, hn::Ge(n, zero));
+      any = hn::Or(any, hn::Ge(n, zero));
+    }
+    seen = hn::And(seen, any);
+    cut = hn::AndNot(all, any);
+  }
+  return hn::And(seen, hn::Eq(sum, zero));
+}
+
+/// Stores the boxes of the projected corners; of triangles that reach to or past the eye's plane
+/// the whole target. Returns the lanes whose boxes hold a sample.
+HWY_INLINE MD StoreClipBox(const KernelView& view, const ClipGroup& g, int at, ClipBlock& block) {
+  const DD dd;
+  const DDI di;
+  const VD zero = hn::Zero(dd);
+  const VD least_w = hn::Min(hn::Min(g.w[0], g.w[1]), g.w[2]);
+  const MD before = hn::Gt(least_w, zero);
+  VD reciprocal[3];
+  for (int k = 0; k < 3; ++k) reciprocal[k] = hn::Div(hn::Set(dd, 1.0), g.w[k]);
+  const auto store = [&](const VD(&v)[3], int first, int size, std::int32_t* from,
+                         std::int32_t* to) {
+    const VD a = hn::Mul(v[0], reciprocal[0]);
+    const VD b = hn::Mul(v[1], reciprocal[1]);
+    const VD c = hn::Mul(v[2], reciprocal[2]);
+    // Quotients are off by 2u: the slack is 8u, and 2^-50 pixels for the sum's own rounding.
+    const auto slack = [&](VD v_) {
+      return hn::MulAdd(hn::Abs(v_), hn::Set(dd, 0x1p-50), hn::Set(dd, 0x1p-50));
+    };
+    const VD low = hn::Min(hn::Min(a, b), c);
+    const VD high = hn::Max(hn::Max(a, b), c);
+    const VD half = hn::Set(dd, 0.5);
+    const VD limit = hn::Set(dd, static_cast<double>(size));
+    const VD start = hn::Set(dd, static_cast<double>(first));
+    const auto within = [&](VD v_) { return hn::Min(hn::Max(v_, start), limit); };
+    const VD begin = hn::Ceil(within(hn::Sub(hn::Sub(low, slack(low)), half)));
+    const VD end = hn::Ceil(within(hn::Add(hn::Add(high, slack(high)), half)));
+    hn::Store(hn::DemoteTo(di, hn::IfThenElse(before, begin, start)), di, from + at);
+    hn::Store(hn::DemoteTo(di, hn::IfThenElse(before, end, limit)), di, to + at);
+    return hn::Or(hn::Lt(begin, end), hn::Not(before));
+  };
+  const MD columns = store(g.x, 0, view.width, block.x0, block.x1);
+  const MD rows = store(g.y, view.first_row, view.height, block.y0, block.y1);
+  return hn::And(columns, rows);
+}
+
+/// Stores where rows cross edge e, and returns twice the error of the guess.
+HWY_INLINE VD StoreClipEdge(const KernelView& view, const ClipNormals& n, MD front, int e, int at,
+                            ClipBlock& block) {
+  const DD dd;
+  const VD zero = hn::Zero(dd);
+  const VD reciprocal = hn::Div(hn::Set(dd, -1.0), n.x);
+  const VD slope = hn::Mul(n.y, reciprocal);
+  const VD from = hn::Mul(n.w, reciprocal);
+  const VD rows = hn::Set(dd, static_cast<double>(view.height));
+  const VD unit = hn::Add(hn::MulAdd(hn::Abs(slope), rows, hn::Abs(from)), hn::Set(dd, 1.0));
+  const VD error = hn::Mul(unit, hn::Set(dd, kClipCrossingError));
+  const MD tells = hn::Lt(error, hn::Set(dd, kClipWorstGuess));  // not if NaN
+  const MD parallel = hn::Eq(n.x, zero);
+  const MD is_left = hn::Or(hn::Not(tells), hn::Xor(hn::Lt(n.x, zero), front));
+  const VD infinity = hn::Set(dd, __builtin_inf());
+  // Nothing is before the column of -3/4.
+  const VD offset = hn::Add(from, hn::Add(hn::Set(dd, 0.5), error));
+  hn::Store(hn::IfThenElseZero(tells, slope), dd, block.slope[e] + at);
+  hn::Store(hn::IfThenElse(tells, offset, hn::Set(dd, -0.75)), dd, block.from[e] + at);
+  hn::Store(hn::IfThenElse(is_left, infinity, hn::Neg(infinity)), dd, block.side[e] + at);
+  block.parallel[e] |= Bits32(parallel) << at;
+  block.searched[e] |= Bits32(hn::Not(hn::Or(tells, parallel))) << at;
+  return hn::IfThenElseZero(tells, hn::Add(error, error));
+}
+
+/// D of each lane, its sign certain; and if kNeedsPlane within a relative 2^-24.6.
+template <bool kNeedsPlane>
+HWY_INLINE VD ClipDeterminants(const KernelView& view, const ClipGroup& g, const ClipNormals& n,
+                               std::uint32_t needed, int at, const ClipBlock& block) {
+  const DD dd;
+  const VD by_x = hn::Mul(g.x[0], n.x);
+  const VD by_y = hn::Mul(g.y[0], n.y);
+  const VD by_w = hn::Mul(g.w[0], n.w);
+  const VD value = hn::Add(hn::Add(by_x, by_y), by_w);
+  const VD sizes = hn::Add(hn::Add(hn::Abs(by_x), hn::Abs(by_y)), hn::Abs(by_w));
+  constexpr double kLeast = kNeedsPlane ? kClipPlainDeterminant : kClipDotError;
+  // Without a term there is no doubt: nothing underflows.
+  const MD certain = hn::Or(hn::Gt(hn::Abs(value), hn::Mul(sizes, hn::Set(dd, kLeast))),
+                            hn::Eq(sizes, hn::Zero(dd)));
+  std::uint32_t open = needed & ~Bits32(certain);
+  if (HWY_LIKELY(open == 0)) return value;
+  alignas(64) double values[kDoubles];
+  hn::Store(value, dd, values);
+  for (; open != 0; open &= open - 1) {
+    const int lane = CountTrailingZeros(open);
+    values[lane] = ClipDeterminant(block.TriangleOf(view, at + lane));
+  }
+  return hn::Load(dd, values);
+}
+
+/// Stores the coefficients of z / w, NaN if a z is not finite. Nothing is fused: every target
+/// computes the same.
+HWY_INLINE void StoreClipPlane(const ClipGroup& g, const ClipNormals (&n)[3], VD determinant,
+                               int at, ClipBlock& block) {
+  const DD dd;
+  // Corner k is opposite edge k + 1.
+  const auto sum = [&](VD a, VD b, VD c) {
+    const VD two = hn::Add(hn::Mul(g.z[0], b), hn::Mul(g.z[1], c));
+    return hn::Div(hn::Add(two, hn::Mul(g.z[2], a)), determinant);
+  };
+  VD zero = hn::Zero(dd);
+  for (const VD z : g.z) zero = hn::Add(zero, hn::Sub(z, z));
+  hn::Store(sum(n[0].x, n[1].x, n[2].x), dd, block.zx + at);
+  hn::Store(sum(n[0].y, n[1].y, n[2].y), dd, block.zy + at);
+  hn::Store(hn::Add(zero, sum(n[0].w, n[1].w, n[2].w)), dd, block.zc + at);
+}
+
+/// Lanes whose box is at most 8x8; `rows` is the height of the tallest of them.
+HWY_INLINE MD AreSmall(const ClipBlock& block, int at, MD drawn, int& rows) {
+  const DD dd;
+  const DDI di;
+  const VDI width = hn::Sub(hn::Load(di, block.x1 + at), hn::Load(di, block.x0 + at));
+  const VDI height = hn::Sub(hn::Load(di, block.y1 + at), hn::Load(di, block.y0 + at));
+  const VD side = hn::PromoteTo(dd, hn::Max(width, height));
+  const MD small = hn::And(drawn, hn::Lt(side, hn::Set(dd, 9.0)));
+  rows = static_cast<int>(
+      hn::GetLane(hn::MaxOfLanes(dd, hn::IfThenElseZero(small, hn::PromoteTo(dd, height)))));
+  return small;
+}
+
+/// Finds the masks of small triangles, one a lane. Returns the lanes whose every guess tells.
+HWY_INLINE MD FindClipMasks(MD small, int rows, int at, ClipBlock& block) {
+  const DD dd;
+  const DDI di;
+  const hn::Rebind<std::uint64_t, DD> du;
+  const hn::Rebind<std::uint32_t, DD> dn;
+  VD slope[3], from[3], side[3];
+  for (int e = 0; e < 3; ++e) {
+    slope[e] = hn::Load(dd, block.slope[e] + at);
+    from[e] = hn::Load(dd, block.from[e] + at);
+    side[e] = hn::Load(dd, block.side[e] + at);
+  }
+  const auto load = [&](const std::int32_t* p) { return hn::PromoteTo(dd, hn::Load(di, p + at)); };
+  const VD begin = load(block.x0);
+  const VD end = load(block.x1);
+  // Beyond these a guess tells, as their fractions do.
+  const VD half = hn::Set(dd, 0.5);
+  const VD least = hn::Sub(begin, half);
+  const VD most = hn::Add(end, half);
+  const VD last_y = hn::Sub(load(block.y1), half);
+  VD y = hn::Add(load(block.y0), half);
+  VD fraction = half;
+  auto mask = hn::Zero(du);
+  const auto one = hn::Set(du, std::uint64_t{1});
+  const auto ends = [&](VD column) {
+    const auto n = hn::BitCast(dn, hn::DemoteTo(di, hn::Sub(column, begin)));
+    return hn::Shl(one, hn::PromoteTo(du, n));
+  };
+  for (int r = 0; r < rows; ++r) {
+    const MD valid = hn::Le(y, last_y);
+    VD first = begin;
+    VD last = end;
+    for (int e = 0; e < 3; ++e) {
+      const VD guess = hn::Min(hn::Max(hn::MulAdd(y, slope[e], from[e]), least), most);
+      const VD column = hn::Floor(guess);
+      fraction = hn::Min(fraction, hn::IfThenElse(valid, hn::Sub(guess, column), half));
+      first = hn::Max(first, hn::Min(column, side[e]));  // by sides of infinity, without a branch
+      last = hn::Min(last, hn::Max(column, side[e]));
+    }
+    first = hn::Min(hn::Max(first, begin), end);
+    last = hn::IfThenElse(valid, hn::Max(first, last), first);
+    mask = hn::Or(mask, hn::ShiftLeftSame(hn::Sub(ends(last), ends(first)), 8 * r));
+    y = hn::Add(y, hn::Set(dd, 1.0));
+  }
+  hn::Store(mask, du, block.masks + at);
+  return hn::And(small, hn::Ge(fraction, hn::Load(dd, block.twice_error + at)));
+}
+
+template <bool kNeedsPlane>
+HWY_INLINE void SetUpClip(const KernelView& view, const std::uint32_t* indices, ClipBlock& block) {
+  const DD dd;
+  block.cut = 0;
+  block.small = 0;
+  for (int e = 0; e < 3; ++e) block.parallel[e] = block.searched[e] = 0;
+  for (int at = 0; at < kBlock; at += kDoubles) {
+    const ClipGroup g(view.vertices, indices + 3 * at);
+    MD cut;
+    const MD seen = MayBeSeen(view, g, cut);
+    std::uint32_t drawn = Bits32(hn::And(seen, StoreClipBox(view, g, at, block)));
+    if (drawn == 0) continue;
+    for (int k = 0; k < 3; ++k) {
+      hn::Store(g.x[k], dd, block.x[k] + at);
+      hn::Store(g.y[k], dd, block.y[k] + at);
+      hn::Store(g.z[k], dd, block.z[k] + at);
+      hn::Store(g.w[k], dd, block.w[k] + at);
+    }
+    const ClipNormals n[3] = {{g, 0, 1}, {g, 1, 2}, {g, 2, 0}};
+    const VD determinant = ClipDeterminants<kNeedsPlane>(view, g, n[1], drawn, at, block);
+    const MD is_front = hn::Gt(determinant, hn::Zero(dd));
+    drawn &= Bits32(hn::Ne(determinant, hn::Zero(dd)));
+    block.drawn |= drawn << at;
+    block.front |= Bits32(is_front) << at;
+    block.cut |= Bits32(cut) << at;
+    VD twice_error = hn::Zero(dd);
+    for (int e = 0; e < 3; ++e) {
+      twice_error = hn::Max(twice_error, StoreClipEdge(view, n[e], is_front, e, at, block));
+    }
+    hn::Store(twice_error, dd, block.twice_error + at);
+    if constexpr (kNeedsPlane) StoreClipPlane(g, n, determinant, at, block);
+    std::uint32_t others = block.cut;
+    for (int e = 0; e < 3; ++e) others |= block.parallel[e] | block.searched[e];
+    int rows = 0;
+    const MD small = AreSmall(block, at, MaskOf(dd, drawn & ~(others >> at)), rows);
+    if (rows > 0) block.small |= Bits32(FindClipMasks(small, rows, at, block)) << at;
+  }
+}
+
+}  // namespace rasterproof::library::kernels::HWY_NAMESPACE
+
+#endif  // RASTERPROOF_LIBRARY_KERNELS_CLIP_BLOCK_H_

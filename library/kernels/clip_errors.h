@@ -1,0 +1,55 @@
+// How far what the kernel of clip space (clip_rows.h) computes in double may be from what it stands
+// for. u = 2^-53.
+#ifndef RASTERPROOF_LIBRARY_KERNELS_CLIP_ERRORS_H_
+#define RASTERPROOF_LIBRARY_KERNELS_CLIP_ERRORS_H_
+
+namespace rasterproof::library::kernels {
+
+// Coordinates are float32, so products of two of them are exact, N = V_j x V_i is off by u in each
+// component and its signs are exact. Nothing over- or underflows: |N| is 0 or between 2^-298 and
+// 2^257.
+
+/// Of N . (x, y, w), in units of the sum of its three computed terms' sizes: a term carries the
+/// component, its product and two sums, 4.1 u, and the sizes' own rounding takes less than 0.5 u.
+/// So signs beyond it are certain. The same holds of D = V0 . (V2 x V1).
+/// Proof:      reference/proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.488, ClipKernel.GuessesAndFiltersStayWithinTheirErrors by
+///             `./run test-more`.
+inline constexpr double kClipDotError = 0x1.4p-51;
+
+/// Of the near plane's sum of n_k (N . (x, y, 1)), N of the edge opposite corner k, n_k = z_k or
+/// z_k + w_k, in units of the sum of its nine terms' sizes: the same, and n_k, its product and two
+/// sums: 8.1 u, and the sizes' own rounding takes less than 1 u.
+/// Proof:      reference/proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.306, by the same test.
+inline constexpr double kClipNearError = 0x1.4p-50;
+
+/// Of a guess -(ny y + nw) / nx + 1/2 + error, computed as y s + (f + (1/2 + error)), s = -ny / nx,
+/// f = -nw / nx, in units of |s| y + |f| + 1, y the largest one: the quotients are off by 4u (both
+/// components, a reciprocal, a product), and a product and two sums round after them: less than
+/// 15 u. Of 16 u the unit's own rounding leaves 15.8 u.
+/// Proof:      reference/proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.240, by the same test.
+inline constexpr double kClipCrossingError = 0x1p-49;
+
+/// A guess that may be off by more than this decides nothing: its row is searched exactly.
+inline constexpr double kClipWorstGuess = 0x1p-10;
+
+/// Depth in double: a D of less than this, in units of the sum of its terms' sizes, is computed
+/// exactly: so 1 / |D| is off by a relative 2^-24 at most.
+inline constexpr double kClipPlainDeterminant = 0x1p-26;
+
+/// Of the depth z at (x, y), where |z| is no larger than float32's largest number (else that is
+/// stored): |computed - exact| <= 2^-24 |z| + 2^-150 + kClipDepthError (M + |z| S) / |D|: M is the
+/// sum over corners k of |z_k| (|N.x| x + |N.y| y + |N.w|), N of the opposite edge, S the sum of
+/// the sizes of D's three terms. A coefficient carries its N, a product, two sums and the quotient,
+/// and then a product and two sums: 8.1 u of M; D is off by 4.1 u of S, or by u. Then z rounds to
+/// float32.
+/// Proof:      reference/proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.998, of what comes before the last rounding 0.103,
+///             ClipKernel.DepthsStayWithinTheirBound by `./run test-more`.
+inline constexpr double kClipDepthError = 0x1.2p-50;
+
+}  // namespace rasterproof::library::kernels
+
+#endif  // RASTERPROOF_LIBRARY_KERNELS_CLIP_ERRORS_H_

@@ -1,0 +1,47 @@
+// The table of one target.
+#ifndef RASTERPROOF_LIBRARY_KERNELS_KERNELS_H_
+#define RASTERPROOF_LIBRARY_KERNELS_KERNELS_H_
+
+#include "core/own_precision.h"
+#include "library/kernels/clip_rows.h"
+#include "library/kernels/exact_spans.h"
+#include "library/kernels/fill.h"
+#include "library/kernels/fixed_tiles.h"
+#include "library/kernels/float_tiles.h"
+#include "library/kernels/incremental.h"
+#include "library/kernels/kernel_table.h"
+#include "library/kernels/mask_rows.h"
+#include "library/kernels/scanline.h"
+#include "library/kernels/sinks.h"
+#include "library/kernels/span_sink.h"
+#include "library/kernels/vectors.h"
+
+namespace rasterproof::library::kernels::HWY_NAMESPACE {
+
+// A template of functions is no template argument: a row for each method, by its name.
+// NOLINTBEGIN(bugprone-macro-parentheses): of a template's name there are none.
+#define RASTERPROOF_KERNEL_ROW(Draw)                                                          \
+  {&Draw<PixelSink<Count8>>, &Draw<PixelSink<Facing>>, &Draw<MaskSink>, &Draw<PixelSink<Id>>, \
+   &Draw<PixelSink<Depth>>}
+// NOLINTEND(bugprone-macro-parentheses)
+
+constexpr KernelTable kKernels = {
+    {
+        RASTERPROOF_KERNEL_ROW(DrawIncremental),
+        RASTERPROOF_KERNEL_ROW(DrawFloatTiles),
+        RASTERPROOF_KERNEL_ROW(DrawScanline),
+        RASTERPROOF_KERNEL_ROW(DrawFixedTiles),
+        {nullptr, nullptr, &DrawMaskRows, nullptr, nullptr},
+        RASTERPROOF_KERNEL_ROW(DrawExact),
+        RASTERPROOF_KERNEL_ROW(DrawExactUnsafe),
+    },
+    {&FillCount8, &FillFacing, &FillMask, &FillId, &FillDepth},
+    &DrawExact<SpanSink>,
+    {&DrawClip<PixelSink<Count8>>, &DrawClip<PixelSink<Facing>>, &DrawClip<MaskSink>,
+     &DrawClip<PixelSink<Id>>, &DrawClip<PixelSink<ClipDepth>>},
+    &DrawClip<SpanSink>,
+};
+
+}  // namespace rasterproof::library::kernels::HWY_NAMESPACE
+
+#endif  // RASTERPROOF_LIBRARY_KERNELS_KERNELS_H_

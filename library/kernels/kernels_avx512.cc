@@ -1,0 +1,10 @@
+// The kernels compiled for Target::kAvx512: flags in reference/CMakeLists.txt.
+#include "library/kernels/kernel_table.h"
+#include "library/kernels/kernels.h"
+#include "library/kernels/vectors.h"
+
+namespace rasterproof::library::kernels {
+
+const KernelTable kAvx512Kernels = HWY_NAMESPACE::kKernels;
+
+}  // namespace rasterproof::library::kernels

@@ -7,10 +7,11 @@ namespace rasterproof::library::kernels {
 // A guess is X + (y - a.y) ((c.x - a.x) / (c.y - a.y)), X = a.x + 1/2 + error: three differences,
 // the quotient and the product round once each (the product not at all where it is fused), on at
 // most |c.x - a.x| <= 2M, M = max |x| over the edge's ends; then X and the sum, of at most M + 1.
-// Together less than 14 u (M + 1): reference/proofs/kernel_crossing.g in float32, reference/proofs/row_crossing.g in
-// double. An edge's lower end may stand for a. Every quotient that a row asks for is finite: a row
-// between two floats keeps them apart. Rounded down the guess is the crossing unless its fraction
-// is below twice the error, for then a centre may lie on either side.
+// Together less than 14 u (M + 1): reference/proofs/kernel_crossing.g in float32,
+// reference/proofs/row_crossing.g in double. An edge's lower end may stand for a. Every quotient
+// that a row asks for is finite: a row between two floats keeps them apart. Rounded down the guess
+// is the crossing unless its fraction is below twice the error, for then a centre may lie on either
+// side.
 
 /// In double, where every |x| <= kGuessDomain: 14 2^-53 (2^26 + 1) < 2^-23.
 /// Measured:   largest error / bound known 0.125, as below.

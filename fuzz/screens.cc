@@ -17,9 +17,9 @@
 #include "exact/edge.h"
 #include "exact/winding.h"
 #include "fuzz/guidance.h"
-#include "props/judging/exact_comparison.h"
 #include "props/judging/gate.h"
 #include "props/judging/places.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::fuzz {

@@ -14,10 +14,10 @@
 #include "core/scene.h"
 #include "exact/edge.h"
 #include "legal/allowed.h"
-#include "props/judging/mesh_neighbours.h"
+#include "props/judging/freedom/thin_triangles.h"
+#include "props/judging/freedom/visible_edge.h"
+#include "props/judging/mesh/mesh_neighbours.h"
 #include "props/judging/redraw.h"
-#include "props/judging/thin_triangles.h"
-#include "props/judging/visible_edge.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {

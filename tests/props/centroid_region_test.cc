@@ -13,7 +13,7 @@
 #include "core/sample_pattern.h"
 #include "core/vertex.h"
 #include "exact/half_planes.h"
-#include "props/judging/centroid_queries.h"
+#include "props/judging/values/centroid_queries.h"
 
 namespace rasterproof::props {
 namespace {

@@ -26,7 +26,7 @@
 #include "exact/coverage.h"
 #include "model/snap_scene.h"
 #include "props/authority.h"
-#include "props/judging/barycentric_queries.h"
+#include "props/judging/values/barycentric_queries.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/share.h"

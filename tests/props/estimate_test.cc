@@ -1,5 +1,5 @@
 // Estimates lie within their errors, and what they decide is what exact rationals decide.
-#include "props/judging/estimate.h"
+#include "props/judging/values/estimate.h"
 
 #include <gtest/gtest.h>
 
@@ -17,9 +17,9 @@
 #include "core/vertex.h"
 #include "exact/attributes.h"
 #include "exact/rational.h"
-#include "props/judging/exact_comparison.h"
-#include "props/judging/interpolation_queries.h"
-#include "props/judging/wireframe_queries.h"
+#include "props/judging/values/exact_comparison.h"
+#include "props/judging/values/interpolation_queries.h"
+#include "props/judging/values/wireframe_queries.h"
 
 namespace rasterproof::props {
 namespace {

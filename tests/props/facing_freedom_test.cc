@@ -1,6 +1,6 @@
 // What a legal set leaves open about facings is let pass, and an exchange by triangle, call or
 // target is found.
-#include "props/judging/facing_freedom.h"
+#include "props/judging/freedom/facing_freedom.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Freedom that turns triangles: what is fixed is so in every legal model, what is not is not
 // judged, and bugs beside it are found all the same.
-#include "props/judging/free_choices.h"
+#include "props/judging/freedom/free_choices.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "props/domains/domain.h"
-#include "props/judging/outline.h"
+#include "props/judging/freedom/outline.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/props/faulty_subjects.h"

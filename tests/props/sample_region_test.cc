@@ -1,6 +1,6 @@
 // The places that are left to a sample: none is lost that explains what was drawn, and none is left
 // where nothing does.
-#include "props/judging/sample_region.h"
+#include "props/judging/freedom/sample_region.h"
 
 #include <gtest/gtest.h>
 

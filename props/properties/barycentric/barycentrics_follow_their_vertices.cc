@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "props/judging/barycentric_queries.h"
-#include "props/judging/exact_comparison.h"
+#include "props/judging/values/barycentric_queries.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "exact/rational.h"
-#include "props/judging/barycentric_queries.h"
-#include "props/judging/estimate.h"
-#include "props/judging/exact_comparison.h"
+#include "props/judging/values/barycentric_queries.h"
+#include "props/judging/values/estimate.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"

@@ -7,9 +7,9 @@
 
 #include "core/profile.h"
 #include "core/sample_pattern.h"
-#include "props/judging/barycentric_queries.h"
-#include "props/judging/centroid_queries.h"
-#include "props/judging/exact_comparison.h"
+#include "props/judging/values/barycentric_queries.h"
+#include "props/judging/values/centroid_queries.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "props/judging/barycentric_queries.h"
-#include "props/judging/exact_comparison.h"
-#include "props/judging/fragment_queries.h"
-#include "props/judging/one_by_one.h"
+#include "props/judging/values/barycentric_queries.h"
+#include "props/judging/values/exact_comparison.h"
+#include "props/judging/values/fragment_queries.h"
+#include "props/judging/values/one_by_one.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"

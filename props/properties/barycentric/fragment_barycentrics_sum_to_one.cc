@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "props/judging/barycentric_queries.h"
-#include "props/judging/exact_comparison.h"
-#include "props/judging/fragment_queries.h"
+#include "props/judging/values/barycentric_queries.h"
+#include "props/judging/values/exact_comparison.h"
+#include "props/judging/values/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"

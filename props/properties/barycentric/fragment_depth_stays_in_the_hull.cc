@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "props/judging/exact_comparison.h"
-#include "props/judging/fragment_queries.h"
+#include "props/judging/values/exact_comparison.h"
+#include "props/judging/values/fragment_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"

@@ -2,7 +2,7 @@
 // perspective-correct.
 #include <vector>
 
-#include "props/judging/interpolation_queries.h"
+#include "props/judging/values/interpolation_queries.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"

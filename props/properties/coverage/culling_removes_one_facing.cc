@@ -8,8 +8,8 @@
 
 #include "core/coverage.h"
 #include "core/profile.h"
-#include "props/judging/facing_freedom.h"
-#include "props/judging/free_choices.h"
+#include "props/judging/freedom/facing_freedom.h"
+#include "props/judging/freedom/free_choices.h"
 #include "props/judging/places.h"
 #include "props/judging/redraw.h"
 #include "props/judging/sides.h"

@@ -1,7 +1,7 @@
 // A mesh that does not fold or overlap covers every sample inside exactly once, and none outside.
 //
 // That needs no coverage oracle: inside is where the boundary's winding number is not zero.
-#include "props/judging/planar_mesh.h"
+#include "props/judging/mesh/planar_mesh.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"

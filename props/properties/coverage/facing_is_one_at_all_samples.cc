@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/coverage.h"
-#include "props/judging/facing_freedom.h"
+#include "props/judging/freedom/facing_freedom.h"
 #include "props/judging/places.h"
 #include "props/judging/redraw.h"
 #include "props/judging/witness.h"

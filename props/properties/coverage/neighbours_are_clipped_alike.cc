@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "core/scene.h"
-#include "props/judging/planar_mesh.h"
+#include "props/judging/mesh/planar_mesh.h"
 #include "props/placed_case.h"
 #include "props/properties/coverage/shared_edge_samples_are_covered_once.h"
 #include "props/properties/domain_lists.h"

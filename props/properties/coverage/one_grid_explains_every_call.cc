@@ -23,7 +23,7 @@
 #include "core/scene.h"
 #include "core/subject_info.h"
 #include "legal/joint.h"
-#include "props/judging/grid_ruler.h"
+#include "props/judging/freedom/grid_ruler.h"
 #include "props/judging/observed_call.h"
 #include "props/judging/open_by_call.h"
 #include "props/judging/redraw.h"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "props/judging/planar_mesh.h"
+#include "props/judging/mesh/planar_mesh.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "core/coverage.h"
-#include "props/judging/free_choices.h"
+#include "props/judging/freedom/free_choices.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "props/judging/as_shown.h"
-#include "props/judging/neighbour_pairs.h"
-#include "props/judging/planar_mesh.h"
+#include "props/judging/mesh/neighbour_pairs.h"
+#include "props/judging/mesh/planar_mesh.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"

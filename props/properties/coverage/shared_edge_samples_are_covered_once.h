@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "props/judging/mesh_neighbours.h"
+#include "props/judging/mesh/mesh_neighbours.h"
 #include "props/placed_case.h"
 #include "props/property.h"
 

@@ -2,10 +2,10 @@
 #include <utility>
 
 #include "model/snap_scene.h"
-#include "props/judging/free_choices.h"
-#include "props/judging/mesh_model.h"
-#include "props/judging/outline.h"
-#include "props/judging/signed_coverage.h"
+#include "props/judging/freedom/free_choices.h"
+#include "props/judging/freedom/outline.h"
+#include "props/judging/mesh/mesh_model.h"
+#include "props/judging/mesh/signed_coverage.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "props/judging/edge_queries.h"
-#include "props/judging/exact_comparison.h"
+#include "props/judging/values/edge_queries.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"

@@ -1,7 +1,7 @@
 // Edge values follow the maps of the plane that they are defined by, where the images are exact.
 #include <array>
 
-#include "props/judging/edge_queries.h"
+#include "props/judging/values/edge_queries.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"

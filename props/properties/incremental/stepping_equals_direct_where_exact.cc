@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-#include "props/judging/stepping.h"
+#include "props/judging/values/stepping.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"

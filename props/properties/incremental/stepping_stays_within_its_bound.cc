@@ -1,6 +1,6 @@
 // Steppings meet values within the bound that the subject states for their steps: each of the eight
 // along x or y, either way, by one pixel or by L, and one across the largest target.
-#include "props/judging/stepping.h"
+#include "props/judging/values/stepping.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"

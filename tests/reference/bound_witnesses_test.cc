@@ -51,8 +51,8 @@ std::string NumberText(std::string_view name, double x) {
 
 std::string TightnessTable() {
   std::string table =
-      "| bound | constant | largest error / bound known | the witness | found |\n"
-      "| --- | --- | ---: | --- | --- |\n";
+      "| bound | constant | largest error / bound known | the witness |\n"
+      "| --- | --- | ---: | --- |\n";
   for (const BoundWitness& witness : BoundWitnesses()) {
     std::istringstream names{std::string(witness.names)};
     std::string numbers;
@@ -61,8 +61,8 @@ std::string TightnessTable() {
       names >> name;
       numbers += (numbers.empty() ? "" : ", ") + NumberText(name, x);
     }
-    table += fmt::format("| {} | `{}` | {} | {} | {} |\n", witness.bound, witness.constant,
-                         RatioText(witness.Ratio()), numbers, witness.found);
+    table += fmt::format("| {} | `{}` | {} | {} |\n", witness.bound, witness.constant,
+                         RatioText(witness.Ratio()), numbers);
   }
   return table;
 }

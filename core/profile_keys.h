@@ -47,7 +47,7 @@ struct ProfileKey {
   std::string_view name;  ///< as files spell it
   KeyKind kind;
   KeyMember member;
-  // For the reader, in Markdown: cells of the table in docs/subjects.md.
+  // For the reader, as `rasterproof list keys` prints it.
   std::string_view values;  ///< the words in the order of the enumerators, if all values are words
   std::string_view usual;   ///< the default
   std::string_view says;

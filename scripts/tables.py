@@ -10,8 +10,8 @@ def table(head, rows, numbers=0):
     return [f"| {' | '.join(row)} |" for row in (head, rules, *rows)]
 
 
-def filled(document, blocks):
-    """The document's text, with the lines of each block, {name: lines}, between its comments."""
+def write(document, blocks):
+    """Writes the lines of each block, {name: lines}, between its comments in the document."""
     text = document.read_text(encoding="utf-8")
     for name, lines in blocks.items():
         begin, end = rf"<!-- {name}, made by .* -->\n", rf"<!-- {name}: to here -->\n"
@@ -21,9 +21,4 @@ def filled(document, blocks):
                      "write the two comments of one as in docs/bench.md")  # fmt: skip
         before, begin, end, after = parts
         text = before + begin + "".join(f"{line}\n" for line in lines) + end + after
-    return text
-
-
-def write(document, blocks):
-    """Writes the lines of each block into the document."""
-    document.write_text(filled(document, blocks), encoding="utf-8")
+    document.write_text(text, encoding="utf-8")

@@ -21,7 +21,6 @@ struct BoundWitness {
   bool is_float32;
   std::string_view names;  ///< of the numbers, in order
   std::vector<double> numbers;
-  std::string_view found;  ///< how and when
   ErrorAndBound (*evaluate)(const std::vector<double>& numbers);
 
   /// error / bound, rounded to nearest.

@@ -135,7 +135,7 @@ const std::vector<BoundWitness>& CrossingWitnesses() {
        kRow,
        {-0x1.ffffffea2f611p+27, -0x1.180aa71df521bp+4, 0x1.fffffffff88e6p+27, 0x1.d0000002befbcp+3,
         0x1.cp+3},
-       "climbed from a construction, seed 18, 2026-11-25",
+       // climbed from a construction, seed 18, 2026-11-25
        OfSpans},
       {"crossing, of the oracle (`row_edge.h`)",
        "kCrossingErrorMultiplier",
@@ -143,7 +143,7 @@ const std::vector<BoundWitness>& CrossingWitnesses() {
        kEdgeAndY,
        {-0x1.00a8de6d9d7f8p+18, -0x1.ffe046a6e7042p+10, 0x1.0f4e0255cbeb9p+18,
         0x1.002409d22cdcep+11, 0x1.001p+11},
-       "climbed from a construction, seed 5, 2026-11-25",
+       // climbed from a construction, seed 5, 2026-11-25
        OfOracle},
       {"crossing, in clip space (`homogeneous_crossing.h`)",
        "kHomogeneousCrossingErrorMultiplier",
@@ -151,42 +151,42 @@ const std::vector<BoundWitness>& CrossingWitnesses() {
        kClipAndY,
        {-0x1.ed02b52c93ap+0, 0x1.ae091175c06f5p+1, -0x1.e41f44a202f63p+1, 0x1.9990a730a4c58p+3,
         -0x1.0d7cad1e68444p+3, 0x1.c6518beeb3e8cp+2, 0x1.cc6066p+3},
-       "climbed from a construction, seed 4, 2026-11-25",
+       // climbed from a construction, seed 4, 2026-11-25
        OfClipSpace},
       {"crossing, of a kernel's small triangles",
        "kSmallCrossingError",
        true,
        kEdgeAndY,
        {0x1.2d0f18p-1, -0x1.5370eap-10, 0x1.e32b02p+2, 0x1.7d8758p+1, 0x1p-1},
-       "drawn, 2026-11-26",
+       // drawn, 2026-11-26
        OfSmall},
       {"crossing, of its near ones",
        "kNearCrossingError",
        true,
        kEdgeAndY,
        {0x1.ff7d26p+5, 0x1.b01b7cp+2, -0x1.be18p-4, 0x1.a8330ap+4, 0x1.a8p+4},
-       "climbed from a construction, seed 4, 2026-11-25",
+       // climbed from a construction, seed 4, 2026-11-25
        OfNear},
       {"crossing, of its wide ones, in steps",
        "kStepError",
        true,
        kSteps,
        {0x1.1e2cbcp+13, 0x1.509ab6p-5, 0x1.c4d3a6p+13, 0x1.fd24bp+13, 0, 5, 0x1.f13p+13},
-       "drawn, 2026-11-26",
+       // drawn, 2026-11-26
        OfSteps},
       {"crossing, of its wide ones, in double",
        "kernels::kCrossingError",
        true,
        kEdgeAndY,
        {0x1.ffff98p+25, 0x1.54fc42p-23, -0x1.fffe4p+25, 0x1.001848p+13, 0x1.fff8p+12},
-       "climbed from a construction, seed 15, 2026-11-25",
+       // climbed from a construction, seed 15, 2026-11-25
        OfWide},
       {"crossing, of a plan (`plan_kernel.h`)",
        "kBias",
        false,
        "from-E across",
        {0x1.ff97ff48p+29, 0x1.ff98p+13},
-       "climbed from a construction, seed 8, 2026-11-25",
+       // climbed from a construction, seed 8, 2026-11-25
        OfPlan},
   };
   return all;

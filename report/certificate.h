@@ -2,7 +2,7 @@
 //
 // Certificate is the record. OverallOf() makes the one verdict of it that JSON, JUnit, page,
 // summary and exit status share; CertificateToJson() and JUnitXml() write it. For the report page,
-// see page.h; for several runs that are parts of one campaign, tool/part_file.h.
+// see page.h; for several runs that are parts of one campaign, tool/certify/part_file.h.
 #ifndef RASTERPROOF_REPORT_CERTIFICATE_H_
 #define RASTERPROOF_REPORT_CERTIFICATE_H_
 

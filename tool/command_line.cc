@@ -1,4 +1,4 @@
-// Options are parsed here, in one translation unit; cmd_*.cc do the work.
+// Options are parsed here, in one translation unit; VERB/cmd_*.cc do the work.
 #include "tool/command_line.h"
 
 #include <fcntl.h>
@@ -26,11 +26,11 @@
 #include "fmt/format.h"
 #include "report/case_code.h"
 #include "report/text.h"
+#include "tool/certify/shard.h"
 #include "tool/commands.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
-#include "tool/shard.h"
 #include "tool/shell.h"
 #include "tool/typed_number.h"
 #include "tool/verb_options.h"

@@ -12,7 +12,7 @@
 #include "io/output.h"
 #include "props/cause/cause.h"
 #include "props/property.h"
-#include "tool/causes.h"
+#include "tool/check/causes.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "io/json_document.h"
-#include "tool/findings.h"
+#include "tool/check/findings.h"
 
 namespace rasterproof::tool {
 

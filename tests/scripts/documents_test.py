@@ -166,7 +166,7 @@ class FiguresTest(unittest.TestCase):
         tables, _, _ = read("docs/commands.md").partition("\n```")
         named = {name for cell in re.findall(r"^\| (.*?) \|", tables, re.M)
                  for name in re.findall(r"`(\w+)", cell)}  # fmt: skip
-        for path in sorted((ROOT / "tool").glob("*.cc")):
+        for path in sorted((ROOT / "tool").rglob("*.cc")):
             for verb in re.findall(r'app\.add_subcommand\(\s*"(\w+)"', path.read_text("utf-8")):
                 self.assertIn(verb, named,
                               f"the verb of {path.name} has no row in a table of docs/commands.md: "

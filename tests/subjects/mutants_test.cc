@@ -19,7 +19,7 @@
 #include "tests/share.h"
 #include "tests/subjects/conformance_baseline.h"
 #include "tool/resolve.h"
-#include "tool/selftest.h"
+#include "tool/selftest/selftest.h"
 
 namespace rasterproof {
 namespace {

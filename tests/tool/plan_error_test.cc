@@ -1,4 +1,4 @@
-#include "tool/plan_error.h"
+#include "tool/plan/plan_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tool/sweep_delta.h"
+#include "tool/sweep/sweep_delta.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/error.h"
-#include "tool/sweep_blame.h"
-#include "tool/sweep_builds.h"
+#include "tool/sweep/sweep_blame.h"
+#include "tool/sweep/sweep_builds.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -1,0 +1,322 @@
+// The scenes of a certificate: found, loaded, drawn by the subject, compared with the oracle.
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/call_end.h"
+#include "core/error.h"
+#include "core/result.h"
+#include "exact/coverage.h"
+#include "exact/edge.h"
+#include "exact/placed_scene.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "io/scene_set.h"
+#include "legal/joint.h"
+#include "model/snap_scene.h"
+#include "props/judging/as_shown.h"
+#include "props/judging/gate.h"
+#include "props/property.h"
+#include "props/run/conclude.h"
+#include "tool/certify/certify.h"
+#include "tool/interrupt.h"
+#include "tool/legal/legality.h"
+#include "tool/outside.h"
+#include "tool/session.h"
+#include "tool/shared_files.h"
+#include "tool/shell.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::string_view kNotJudged = ": observed, not judged";
+
+std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
+  if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
+  if (!scene.clip_space && !info.takes_window) return "the scene is in window space";
+  return info.profile.fixed ? "coordinates that the subject's integers do not hold"
+                            : "the scene is float64";
+}
+
+// What came of drawing a scene: counts, or why there are none.
+struct Attempt {
+  std::optional<CoverageCounts> counts;
+  std::optional<OneCall> call;  ///< of a profile that leaves something free
+  /// Without counts; kViolated and kInconclusive are reported.
+  Outcome outcome = Outcome::kNotApplicable;
+  Stop stop = Stop::kNone;
+  std::string reason;
+  double seconds = 0;
+  bool as_shown = false;  ///< the counts say whether a sample is covered, not how often
+};
+
+void SetReason(const SubjectStop& end, Attempt& attempt) {
+  const std::string why = end.what();
+  attempt.stop = end.stop();
+  switch (end.stop()) {
+    case Stop::kNone:
+      return;
+    case Stop::kRefused:
+      attempt.outcome = Outcome::kRefused;
+      attempt.reason = "the subject refused it: " + why;
+      return;
+    case Stop::kNotDrawable:
+      attempt.reason = "it can't be given to the subject: " + why;
+      return;
+    case Stop::kBrokeDown:
+    case Stop::kHung:
+      attempt.outcome = Outcome::kViolated;
+      attempt.reason = "the subject failed: " + why;
+      return;
+    case Stop::kTooSlow:
+    case Stop::kDeadline:
+      attempt.outcome = Outcome::kInconclusive;
+      attempt.reason = "not judged: " + why;
+      return;
+  }
+}
+
+Attempt TryToDraw(Subject& subject, const Scene& scene) {
+  Attempt attempt;
+  if (!Takes(subject.Info(), scene)) {
+    attempt.reason = WhyNotTaken(subject.Info(), scene);
+    return attempt;
+  }
+  attempt.as_shown = props::IsJudgedAsShown(subject.Info(), scene);
+  const auto start = Clock::now();
+  try {
+    attempt.counts = Draw(subject, scene);
+    if (!subject.Info().profile.freedom.IsNone()) attempt.call = DrawInOneCall(subject, scene);
+  } catch (const SubjectStop& stop) {
+    SetReason(stop, attempt);
+  } catch (const InputError& error) {
+    SetReason({Stop::kNotDrawable, error.what()}, attempt);
+  }
+  attempt.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return attempt;
+}
+
+// With the time that is left to a subject that hung on another scene.
+Attempt TryInTime(Subject& subject, const Scene& scene, props::Pace& pace) {
+  const double limit = IsOutside(subject.Info().name) ? OutsideLimits().seconds : 0;
+  const bool is_short = pace.hangs && limit > 0;
+  if (is_short) {
+    const std::chrono::duration<double> left(pace.LimitAfterAHang(limit));
+    subject.SetDeadline(Clock::now() + std::chrono::duration_cast<Clock::duration>(left));
+  }
+  Attempt attempt = TryToDraw(subject, scene);
+  subject.SetDeadline(Clock::time_point::max());
+  if (attempt.counts) pace.Answered(attempt.seconds);
+  if (attempt.stop == Stop::kHung || attempt.stop == Stop::kDeadline) {
+    pace.hangs = true;
+    ++pace.silent;
+  }
+  if (is_short && attempt.stop == Stop::kDeadline) {
+    attempt.reason =
+        "no answer within the short time that a scene gets since the subject hung on "
+        "another one (--time-limit)";
+  }
+  return attempt;
+}
+
+SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Profile& profile,
+                    const Attempt& attempt) {
+  SceneResult result;
+  result.scene = measured.name();
+  result.subject = info.name;
+  result.profile = profile.name;
+  result.triangles = measured.scene().triangles.size();
+  result.seconds = attempt.seconds;
+  result.as_shown = attempt.as_shown;
+  result.applicable = attempt.counts.has_value();
+  result.message = attempt.reason;
+  if (!result.applicable) return result;
+  try {
+    const CoverageCounts& truth = measured.Truth(profile);
+    result.difference = Compare(*attempt.counts, result.as_shown ? props::AsShown(truth) : truth);
+  } catch (const InputError& error) {
+    result.applicable = false;
+    result.message = error.what();
+    return result;
+  }
+  result.message = WhyNotStated(measured.scene(), profile);
+  return result;
+}
+
+// The property's result on one scene, of which nothing is said yet.
+PropertyResult ResultOn(const MeasuredScene& measured, const SubjectInfo& info,
+                        const props::Property& property) {
+  PropertyResult result = props::NothingRun(info, property, /*seed=*/0);
+  result.property = fmt::format("{} on {}", property.name, measured.name());
+  result.cases = 1;
+  return result;
+}
+
+// A breakdown over a given scene, or a draw that took too long, as a result of the property that a
+// draw comes back.
+PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
+                        const Attempt& attempt) {
+  PropertyResult result =
+      ResultOn(measured, info, *props::FindProperty("DrawStaysInsideItsTarget"));
+  result.outcome = attempt.outcome;
+  if (attempt.outcome == Outcome::kViolated) result.cases_exercised = result.exercised = 1;
+  result.message = attempt.reason;
+  result.seconds = attempt.seconds;
+  return result;
+}
+
+constexpr const char* kJointProperty = "OneLegalModelExplainsTheMesh";
+
+// Whether one legal model explains what one call shows of the scene.
+PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measured,
+                            const OneCall& call) {
+  const props::Property& property = *props::FindProperty(kJointProperty);
+  const Scene& scene = measured.scene();
+  PropertyResult result = ResultOn(measured, info, property);
+  result.outcome = Outcome::kNotApplicable;
+  if (const auto why = props::DoesNotApply(property.gate, {info})) {
+    result.message = *why;
+  } else if (const auto no_models = legal::WhyNotJoint(scene, {info.profile, scene})) {
+    result.message = *no_models;
+  } else {
+    const auto start = Clock::now();
+    const legal::JointVerdict verdict =
+        legal::JudgeJointly(scene, {info.profile, scene}, call.Observed());
+    result.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    result.not_judged = verdict.not_judged;
+    result.exercised = verdict.samples - verdict.not_judged;
+    result.cases_exercised = 1;
+    switch (verdict.legality) {
+      case legal::Legality::kLegal:
+        result.outcome = Outcome::kHolds;
+        break;
+      case legal::Legality::kNotLegal:
+        result.outcome = Outcome::kViolated;
+        result.message = CoreLine(*verdict.core, scene,
+                                  static_cast<std::size_t>(info.profile.pattern.samples()));
+        break;
+      case legal::Legality::kNotJudged:
+        result.outcome = Outcome::kNotExercised;
+        result.message = fmt::format("a component of {} triangles is too large to be judged",
+                                     verdict.largest_given_up);
+        break;
+    }
+  }
+  return result;
+}
+
+// How a reader on any machine names a file of the bundled set: "scenes/ties.json" (Located). A file
+// that lies elsewhere is named by its path.
+std::string SharedName(const std::string& file, const std::string& scene_set) {
+  const std::filesystem::path folder = std::filesystem::path(scene_set).parent_path();
+  const std::filesystem::path name =
+      std::filesystem::path(file).lexically_relative(folder.parent_path());
+  return name.empty() || *name.begin() == ".." ? file : name.string();
+}
+
+}  // namespace
+
+std::string WhyNotStated(const Scene& scene, const Profile& profile) {
+  if (!WithinLimits(scene, profile)) {
+    return "coordinates or a target beyond what the profile states" + std::string(kNotJudged);
+  }
+  if (!IsUnclipped(scene, {profile, scene})) {
+    return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);
+  }
+  if (profile.degenerate_triangles == DegenerateTriangles::kNothing) return "";
+  if (scene.clip_space && !profile.snap.IsNone()) {
+    return "areas after the division and snapping are not decided" + std::string(kNotJudged);
+  }
+  return exact::PlacedScene(scene, profile).flat.empty()
+             ? ""
+             : "triangles of zero area, which the profile leaves unspecified" +
+                   std::string(kNotJudged);
+}
+
+MeasuredScene::MeasuredScene(const io::SceneEntry& entry, const std::string& path, Scene scene)
+    : name_(entry.name),
+      real_(entry.real),
+      mesh_(IsMeshPath(entry.path)),
+      arguments_(ShellWord(path)),
+      scene_(std::move(scene)) {
+  if (!mesh_) return;
+  if (!entry.camera.empty()) arguments_ += " --camera " + ShellWord(entry.camera);
+  if (entry.project != "auto") arguments_ += " --project " + entry.project;
+  arguments_ += fmt::format(" --width {} --height {}", entry.width, entry.height);
+}
+
+std::string MeasuredScene::CommandOf(const std::string& verb) const {
+  return fmt::format("rasterproof {} {}", verb, arguments_);
+}
+
+std::string MeasuredScene::CommandThatShows(const std::string& subject) const {
+  // explain takes no mesh.
+  const std::string command =
+      mesh_ ? CommandOf("coverage") + " --against exact" : CommandOf("explain");
+  return fmt::format("{} --subject {}", command, ShellWord(subject));
+}
+
+const CoverageCounts& MeasuredScene::Truth(const Profile& profile) {
+  const std::lock_guard lock(mutex_);
+  for (const Known& known : truths_) {
+    if (!SameModel(known.profile, profile)) continue;
+    exact::CreditTiers(known.tiers);
+    return known.counts;
+  }
+  const exact::TierScope scope;
+  CoverageCounts counts = exact::Coverage(scene_, profile);
+  return truths_.emplace_back(Known{profile, std::move(counts), scope.Counts()}).counts;
+}
+
+MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
+  const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : Located(path);
+  if (!found) {
+    throw InputError(kSceneSet,
+                     fmt::format("no scene set lies beside the command (looked in {})",
+                                 fmt::join(SharedFolders(), ", ")),
+                     "name one with --scenes FILE");
+  }
+  MeasuredScenes scenes;
+  for (const io::SceneEntry& entry : io::ReadSceneSet(*found)) {
+    progress.Stage("reading " + entry.name);
+    scenes.push_back(std::make_unique<MeasuredScene>(
+        entry, path.empty() ? SharedName(entry.path, *found) : entry.path,
+        LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height})));
+  }
+  return scenes;
+}
+
+bool IsOfAScene(const PropertyResult& result) {
+  return result.property.starts_with(std::string(kJointProperty) + " on ");
+}
+
+void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate,
+                props::Pace& pace) {
+  const Profile real = *PresetProfile("real");
+  const SubjectInfo& info = subject.Info();
+  const Attempt attempt = TryInTime(subject, measured.scene(), pace);
+  certificate.interrupted = Interrupted();
+  if (Interrupted() && !attempt.counts) return;  // whatever came of it, the interrupt did it
+  if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {
+    certificate.tested.push_back(AsResult(info, measured, attempt));
+    certificate.replay[certificate.tested.back().property] = measured.CommandThatShows(info.name);
+  }
+  if (attempt.call) {
+    certificate.tested.push_back(JudgeJointly(info, measured, *attempt.call));
+    certificate.replay[certificate.tested.back().property] =
+        fmt::format("{} --subject {}", measured.CommandOf("legal"), ShellWord(info.name));
+  }
+  certificate.measured.push_back(Measure(info, measured, info.profile, attempt));
+  if (!SameModel(info.profile, real) && info.profile.pattern == real.pattern) {
+    certificate.measured.push_back(Measure(info, measured, real, attempt));
+  }
+}
+
+}  // namespace rasterproof::tool

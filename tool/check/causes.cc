@@ -1,0 +1,132 @@
+#include "tool/check/causes.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "core/error.h"
+#include "fmt/format.h"
+#include "fmt/ranges.h"
+#include "props/domains/case_name.h"
+#include "props/run/property_domains.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using props::Cause;
+using props::CauseKind;
+
+std::string Counted(std::size_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
+}
+
+// "a rasterizer that A", or "either a rasterizer that A or one that B".
+std::string Suspected(const Cause& cause) {
+  constexpr std::size_t kMostNamed = 3;
+  if (cause.what.size() == 1) return "a rasterizer that " + cause.what.front();
+  std::string text = "either a rasterizer that " + cause.what.front();
+  for (std::size_t k = 1; k < std::min(kMostNamed, cause.what.size()); ++k)
+    text += ", or one that " + cause.what[k];
+  if (cause.what.size() <= kMostNamed) return text;
+  return text + fmt::format(", or one of {} others", cause.what.size() - kMostNamed);
+}
+
+std::string Found(const Cause& cause, const props::Explanation& explanation) {
+  switch (cause.kind) {
+    case CauseKind::kModel:
+      return fmt::format("your answers equal those of {} ({} of {} draws)", Suspected(cause),
+                         cause.reproduced, cause.draws);
+    case CauseKind::kPart:
+      if (cause.together != 0) {
+        return fmt::format(
+            "your answers equal those of a rasterizer with {} faults at once ({} of {} draws); one "
+            "of them: it {}",
+            cause.together, cause.reproduced, cause.draws, cause.what.front());
+      }
+      return fmt::format(
+          "{} of the {} wrong draws equal those of {}, which no draw refutes; the others equal "
+          "those "
+          "of other causes",
+          cause.reproduced, cause.draws, Suspected(cause));
+    case CauseKind::kNothingDrawn:
+      return fmt::format("nothing was drawn at all: 0 of {} draws cover anything", cause.draws);
+    case CauseKind::kCircumstance:
+      return fmt::format("no suspect explains it; what is drawn wrong is right {}",
+                         cause.what.front());
+    case CauseKind::kShownValues:
+      return fmt::format(
+          "{}the fault is in values that are shown beside coverage: {}",
+          explanation.wrong == 0
+              ? fmt::format("all {} are as stated; ", Counted(explanation.draws, "draw", "draws"))
+              : "",
+          cause.what.front());
+    case CauseKind::kUnexplained:
+      break;
+  }
+  if (cause.rests_on_few) {
+    return fmt::format("too few draws to name a cause: only {} drawn wrong, as by {}",
+                       Counted(cause.wrong_scenes, "scene is", "scenes are"), Suspected(cause));
+  }
+  return fmt::format("no suspect explains it ({} suspects, {} draws)", explanation.suspects,
+                     explanation.draws);
+}
+
+}  // namespace
+
+bool IsWrong(const Verdict& verdict) {
+  return verdict.outcome == Outcome::kViolated &&
+         !verdict.message.starts_with("the subject failed: ");
+}
+
+std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
+                                              const SubjectInfo& subject) {
+  if (result.outcome != Outcome::kViolated || !result.counterexample) return std::nullopt;
+  const Counterexample& found = *result.counterexample;
+  if (!IsWrong(found.verdict)) return std::nullopt;
+  props::FailedProperty failure{props::FindProperty(result.property), {found.value}};
+  if (failure.property == nullptr) return std::nullopt;
+  if (!found.failing_case.empty()) {
+    try {
+      failure.cases.push_back(props::DrawCase(subject, props::ParseCaseName(found.failing_case)));
+    } catch (const InputError&) {  // a case of other kinds of names: the shrunken one is enough
+    }
+  }
+  return failure;
+}
+
+std::string NameOfCause(const Cause& cause) { return cause.name.empty() ? "none" : cause.name; }
+
+std::string CauseText(const Cause& cause, const props::Explanation& explanation) {
+  std::string text = Found(cause, explanation);
+  if (!cause.only_with.empty())
+    text += fmt::format("; it fails only with {}", fmt::join(cause.only_with, " and "));
+  if (!cause.pattern.empty()) text += "; every wrong sample " + cause.pattern;
+  return text;
+}
+
+std::string CausesText(const props::Explanation& explanation,
+                       const std::vector<props::FailedProperty>& failures) {
+  std::string text;
+  for (const Cause& cause : explanation.causes) {
+    text += fmt::format("cause: {}; docs/causes.md#{}\n", CauseText(cause, explanation),
+                        NameOfCause(cause));
+    if (failures.size() == 1) continue;
+    std::vector<std::string_view> names;
+    for (const std::size_t k : cause.properties) names.push_back(failures[k].property->name);
+    const bool is_open = cause.kind == CauseKind::kUnexplained;
+    text += fmt::format("  {} {}\n", is_open ? "open:" : "explains", fmt::join(names, ", "));
+  }
+  if (explanation.causes.empty()) return text;
+  if (explanation.is_cut_short) {
+    text +=
+        "  the search for causes was cut short: another suspect may explain them as well; "
+        "--cause-seconds gives it more time\n";
+  }
+  const auto named = std::ranges::count_if(
+      explanation.causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });
+  return text + fmt::format("{}, {}\n",
+                            Counted(failures.size(), "violated property", "violated properties"),
+                            Counted(static_cast<std::size_t>(named), "cause", "causes"));
+}
+
+}  // namespace rasterproof::tool

@@ -1,0 +1,453 @@
+// rasterproof check: the properties, on generated cases, given scenes or cases by their names.
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/authority.h"
+#include "core/counters.h"
+#include "core/error.h"
+#include "core/quoted.h"
+#include "core/result.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
+#include "io/scene_file.h"
+#include "props/cause/cause.h"
+#include "props/cause/evidence.h"
+#include "props/domains/width_inputs.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "props/run/conclude.h"
+#include "props/run/contract_evidence.h"
+#include "props/run/near_edge.h"
+#include "props/run/not_asked.h"
+#include "props/run/property_domains.h"
+#include "report/certificate.h"
+#include "report/grounds.h"
+#include "report/json_writer.h"
+#include "tool/certify/evidence.h"
+#include "tool/check/catalogue.h"
+#include "tool/check/causes.h"
+#include "tool/check/check_json.h"
+#include "tool/check/findings.h"
+#include "tool/check/float_modes.h"
+#include "tool/commands.h"
+#include "tool/exit_status.h"
+#include "tool/failure.h"
+#include "tool/file_names.h"
+#include "tool/interrupt.h"
+#include "tool/known_failures.h"
+#include "tool/outside.h"
+#include "tool/progress.h"
+#include "tool/resolve.h"
+#include "tool/session.h"
+#include "tool/workers.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using Properties = std::vector<const props::Property*>;
+
+// Keeps the files saved before: the next run asks them first. Returns the new one's path.
+// The file is named by the name that the subject gives itself, if it does: a build's path is
+// another one elsewhere.
+std::string SaveCounterexample(const std::string& folder, const std::string& stated_name,
+                               const PropertyResult& result) {
+  io::MakeFolder(folder);
+  const std::string& name = stated_name.empty() ? result.subject : stated_name;
+  const std::string stem = fmt::format("{}/{}-{}", folder, FileNameOf(name), result.property);
+  std::string path = stem + ".json";
+  for (int n = 2; std::filesystem::exists(path); ++n) path = fmt::format("{}-{}.json", stem, n);
+  const auto& found = *result.counterexample;
+  io::WriteFile(
+      path, io::CaseToJson({found.value, result.subject, result.property, found.verdict.drawn}));
+  return path;
+}
+
+// What was found of one property; nothing of one that was not begun.
+struct Share {
+  std::optional<Finding> finding;
+  std::string cases;  // for --cases-json
+  bool is_whole = false;
+};
+
+// Ends the run with the first violation, if that is asked for. Several threads look at once.
+class FailFast {
+ public:
+  FailFast(const CheckOptions& options, const std::vector<KnownFailure>& known,
+           const std::string& subject)
+      : is_on_(options.fail_fast), fail_on_(options.fail_on), known_(known), subject_(subject) {}
+  bool HasFailed() const { return has_failed_; }
+  void Look(const Share& share) {
+    if (!is_on_ || !share.finding) return;
+    const PropertyResult& result = share.finding->result;
+    if (IsFailure(result, fail_on_) && !IsKnown(known_, Today(), subject_, result.property))
+      has_failed_ = true;
+  }
+
+ private:
+  bool is_on_;
+  FailOn fail_on_;
+  const std::vector<KnownFailure>& known_;
+  const std::string& subject_;
+  std::atomic<bool> has_failed_ = false;
+};
+
+using Ask = std::function<void(std::size_t worker, const props::Property& property, Share& share)>;
+
+// The members of the crew share the properties. If one of them throws, `error` is that, and the
+// shares end with what it found up to there.
+std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, const Ask& ask,
+                            FailFast& fail_fast, std::exception_ptr& error) {
+  std::vector<Share> shares(properties.size());
+  const int jobs = static_cast<int>(crew.size());
+  const std::vector<std::size_t> order = OrderOfWork(
+      jobs, properties.size(), [&](std::size_t k) { return properties[k]->takes_long; });
+  try {
+    ShareWork(jobs, order, [&](std::size_t worker, std::size_t k) {
+      if (!Interrupted() && !fail_fast.HasFailed()) {
+        ask(worker, *properties[k], shares[k]);
+        fail_fast.Look(shares[k]);
+      }
+      shares[k].is_whole = true;
+    });
+  } catch (...) {  // thrown again once the results so far are printed
+    error = std::current_exception();
+    const auto failed = std::ranges::find(shares, false, &Share::is_whole);
+    shares.erase(std::next(failed), shares.end());
+  }
+  return shares;
+}
+
+// A case and its outcome, as a line of JSON.
+std::string CaseLine(const SubjectInfo& subject, const props::Property& property, const Case& c,
+                     const Verdict& verdict) {
+  report::JsonWriter json;
+  json.BeginObjectLine();
+  json.Key("subject").Text(subject.name).Key("property").Text(property.name);
+  json.Key("case").Text(c.origin).Key("triangles").Integer(c.scene.triangles.size());
+  json.Key("width").Integer(c.scene.width).Key("height").Integer(c.scene.height);
+  json.Key("near_edges").BeginObject();
+  json.Members(kNearEdgeCounters, props::CountNearEdges(c)).EndObject();
+  json.Key("exercised").Integer(verdict.exercised);
+  json.Key("outcome").Text(OutcomeName(verdict.outcome));
+  return json.EndObject().Finish();
+}
+
+// One property on generated cases; shows its progress.
+PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
+                        const props::Property& property, const CheckOptions& options,
+                        Progress& progress, std::size_t worker, props::Pace& pace,
+                        std::string& cases, const props::World* world = nullptr) {
+  const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
+  progress.Stage(stage, options.campaign.cases, worker);
+  props::CampaignOptions campaign =
+      CampaignOn(subject, options.campaign, [&] { return asked.Make(); });
+  campaign.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
+  campaign.shrinking = [&](std::uint64_t evaluations) {
+    if (evaluations == 0) {
+      progress.Stage(stage + ": shrinking what failed", campaign.shrink_budget, worker);
+    }
+    progress.Done(evaluations, worker);
+  };
+  campaign.pace = &pace;
+  campaign.world = world;
+  if (world != nullptr) campaign.cases = world->cases;
+  if (!options.cases_json.empty()) {
+    campaign.judged = [&](const Case& c, const Verdict& verdict) {
+      cases += CaseLine(subject.Info(), property, c, verdict);
+    };
+  }
+  PropertyResult result = props::RunCampaign(subject, property, campaign);
+  progress.Stage("", 0, worker);
+  return result;
+}
+
+bool WasNotAsked(const PropertyResult& result) {
+  return result.outcome == Outcome::kNotApplicable && !result.counterexample;
+}
+
+// The shrunk case as one word of a command, if it is short and drawn the plain way; else "".
+std::string InlineCase(const Case& c) {
+  constexpr std::size_t kMost = 2000;  // characters
+  if (c.options != DrawOptions()) return "";
+  const std::string text = InOneLine(io::SceneToJson(c.scene));
+  return text.size() <= kMost ? text : "";
+}
+
+std::string Exercised(const PropertyResult& result) {
+  return fmt::format("{} cases, exercised {} times in {}", result.cases, result.exercised,
+                     result.cases_exercised);
+}
+
+// How the failure on the case is shown; `choice` runs it again.
+FailureShown Shown(Subject& subject, const std::string& property, const Case& c,
+                   const Verdict& verdict, CaseChoice choice, const CheckOptions& options) {
+  choice.subject = subject.Info().name;
+  choice.property = property;
+  choice.profile = options.profile;
+  choice.list_length = options.list_length;
+  FailureShown shown{
+      c, WithCountsAsGiven(verdict, subject.Info()), {}, {}, CommandFor("replay", choice)};
+  shown.text = FailureText(subject, property, c, verdict, shown.replay, /*colour=*/false);
+  shown.brief = FailureLine(property, c, shown.verdict) + "\nreplay: " + shown.replay + "\n";
+  return shown;
+}
+
+// How the result of a property on generated cases is shown.
+Finding FindingOf(Subject& subject, PropertyResult result, const CheckOptions& options) {
+  Finding finding{std::move(result)};
+  if (WasNotAsked(finding.result)) return finding;
+  finding.line = OutcomeLine(finding.result, options.fail_on, Exercised(finding.result));
+  if (!finding.result.counterexample) return finding;
+  const Counterexample& found = *finding.result.counterexample;
+  CaseChoice choice;
+  choice.path = options.save.empty()
+                    ? InlineCase(found.value)
+                    : SaveCounterexample(options.save, subject.Info().stated_name, finding.result);
+  if (choice.path.empty()) choice.name = found.failing_case;
+  finding.failure =
+      Shown(subject, finding.result.property, found.value, found.verdict, choice, options);
+  finding.failure->AddName(found.failing_case);
+  if (IsFailure(finding.result, options.fail_on))
+    finding.failure->failed = FailedBy(finding.result, subject.Info());
+  return finding;
+}
+
+// A run in which no property of the contract was put to the test is no pass, whatever else holds.
+void AddContract(const SubjectInfo& subject, Findings& found) {
+  std::vector<PropertyResult> results;
+  for (const Finding& finding : found.all) results.push_back(finding.result);
+  const props::ContractEvidence evidence = props::EvidenceOfContract(subject, results);
+  if (!evidence.is_exercised) {
+    found.is_contract_untested = true;
+    found.notes += fmt::format("{:<16} {:<10} its contract was not put to the test: {}\n",
+                               OutcomeName(Outcome::kInconclusive), subject.name, evidence.why);
+  } else if (!evidence.thin.empty()) {
+    found.notes += fmt::format("{:<16} {:<10} {}\n", OutcomeName(Outcome::kHolds), subject.name,
+                               evidence.thin);
+  }
+}
+
+// Of generated cases; who gives cases knows what they have.
+void AddUnasked(const Subject& subject, Findings& found) {
+  std::vector<PropertyResult> results;
+  for (const Finding& finding : found.all) results.push_back(finding.result);
+  found.unasked = UnaskedOf(subject.Info(), props::OutputsOf(subject), results);
+}
+
+// Adds the shares, in their order.
+void Add(std::vector<Share> shares, const FailFast& fail_fast, Findings& found) {
+  for (Share& share : shares) {
+    if (share.finding) {
+      found.cases += share.cases;
+      found.all.push_back(std::move(*share.finding));
+    } else if (fail_fast.HasFailed()) {
+      ++found.not_asked;
+    }
+  }
+}
+
+// One property on one given case.
+Finding AskOfGiven(Subject& subject, const props::Property& property, const GivenCase& given,
+                   const Case& c, const CheckOptions& options) {
+  const Verdict verdict = props::RunCase(subject, property, c);
+  Finding finding{props::NothingRun(subject.Info(), property, options.campaign.seed)};
+  PropertyResult& result = finding.result;
+  result.outcome = verdict.outcome;
+  result.AddCase(verdict);
+  result.message = verdict.message;
+  finding.place = given.place;
+  if (WasNotAsked(result)) return finding;
+  finding.line = OutcomeLine(result, options.fail_on,
+                             fmt::format("{}: exercised {} times", given.place, verdict.exercised));
+  if (verdict.outcome != Outcome::kViolated) return finding;
+  CaseChoice choice;
+  (given.name ? choice.name : choice.path) = given.place;
+  finding.failure = Shown(subject, result.property, c, verdict, choice, options);
+  if (IsWrong(verdict) && IsFailure(result, options.fail_on))
+    finding.failure->failed = {&property, {c}};
+  return finding;
+}
+
+// The first of the saved failures of the property that the subject still shows.
+bool FailsAsSaved(Subject& subject, const props::Property& property, const ResolvedCheck& asked,
+                  const CheckOptions& options, Share& share) {
+  const auto [first, last] = asked.saved.equal_range(std::string(property.name));
+  for (auto saved = first; saved != last; ++saved) {
+    Case c = saved->second.value;
+    c.profile = subject.Info().profile;
+    if (!Takes(subject.Info(), c.scene)) continue;
+    Finding finding = AskOfGiven(subject, property, saved->second, c, options);
+    if (finding.result.outcome != Outcome::kViolated) continue;
+    finding.place.clear();
+    share.finding = std::move(finding);
+    return true;
+  }
+  return false;
+}
+
+void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
+                    const CheckOptions& options, FailFast& fail_fast, Progress& progress,
+                    Findings& found) {
+  props::Pace pace;
+  std::exception_ptr error;
+  std::vector<Share> shares = ShareOut(
+      crew, asked.properties,
+      [&](std::size_t worker, const props::Property& property, Share& share) {
+        Subject& own = crew.Of(worker);
+        if (FailsAsSaved(own, property, asked, options, share)) return;
+        const auto run = [&](const props::World* world) {
+          return Campaign(own, subject, property, options, progress, worker, pace, share.cases,
+                          world);
+        };
+        PropertyResult result = run(nullptr);
+        const bool has_failed = result.outcome == Outcome::kViolated;
+        if (!has_failed && props::IsPutToWidthInputs(property.name, own.Info())) {
+          PropertyResult of_widths = run(&props::WidthInputs());
+          if (of_widths.outcome == Outcome::kViolated) result = std::move(of_widths);
+        }
+        share.finding = FindingOf(own, std::move(result), options);
+      },
+      fail_fast, error);
+  Add(std::move(shares), fail_fast, found);
+  if (error) std::rethrow_exception(error);
+}
+
+// A case is judged by what the subject states, which may be another model than the file's.
+void NoteOtherProfile(const SubjectInfo& info, const GivenCase& given,
+                      const CheckOptions& options) {
+  if (!given.states_profile || !options.profile.empty()) return;
+  if (SameModel(given.value.profile, info.profile)) return;
+  Tell(fmt::format(
+      "note: {}: judged by {}'s profile {}, which is not the file's, {}: --profile names another\n",
+      given.place, info.name, Quoted(info.profile.name, 60), Quoted(given.value.profile.name, 60)));
+}
+
+void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
+                const CheckOptions& options, FailFast& fail_fast, Progress& progress,
+                Findings& found) {
+  for (const GivenCase& given : asked.cases) {
+    const Case c = CaseFor(crew.Of(0), given);
+    NoteOtherProfile(crew.Of(0).Info(), given, options);
+    std::exception_ptr error;
+    std::vector<Share> shares = ShareOut(
+        crew, asked.properties,
+        [&](std::size_t worker, const props::Property& property, Share& share) {
+          progress.Stage(fmt::format("{} {} on {}", subject.name(), property.name, given.place), 0,
+                         worker);
+          share.finding = AskOfGiven(crew.Of(worker), property, given, c, options);
+          progress.Stage("", 0, worker);
+        },
+        fail_fast, error);
+    Add(std::move(shares), fail_fast, found);
+    if (error) std::rethrow_exception(error);
+  }
+}
+
+// Looks for what explains the violations. No suspect is made for a subject that passes.
+std::string Causes(const SubjectFactory& subject, const CheckOptions& options, Findings& found) {
+  std::vector<props::FailedProperty> failed;
+  for (std::size_t k = 0; k < found.all.size(); ++k) {
+    const std::optional<FailureShown>& failure = found.all[k].failure;
+    if (!failure || !failure->failed) continue;
+    failed.push_back(*failure->failed);
+    found.explained.push_back(k);
+  }
+  if (options.no_cause || failed.empty() || Interrupted()) return "";
+  found.explanation = props::Explain([&] { return subject.Make(); }, failed, options.cause_seconds);
+  return CausesText(found.explanation, failed);
+}
+
+// What finds out more about a subject of the user's own that does not draw as it states.
+std::string Hint(const std::string& subject, const Findings& found, const std::string& profile) {
+  if (!IsOutside(subject) || StatusOf(found) != kExitViolated) return "";
+  CaseChoice choice;
+  choice.subject = subject;
+  choice.profile = profile;
+  return fmt::format("what profile it does follow: {}\n", CommandFor("infer", choice));
+}
+
+// An entry may name the subject as it does itself, which is the same wherever its files lie.
+std::vector<KnownFailure> KnownOf(std::vector<KnownFailure> known, const Findings& found) {
+  for (KnownFailure& entry : known) {
+    if (!entry.subject.empty() && entry.subject == found.stated_name) entry.subject = found.subject;
+  }
+  return known;
+}
+
+// Runs what is asked of one subject. What was found up to an error is printed all the same.
+Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
+               const CheckOptions& options) {
+  Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
+  NotePreset(crew.Of(0).Info().profile);
+  Findings found{subject.name(), options.fail_on, crew.Of(0).Info().profile};
+  found.stated_name = crew.Of(0).Info().stated_name;
+  const std::vector<KnownFailure> known = KnownOf(asked.known, found);
+  FailFast fail_fast(options, known, subject.name());
+  try {
+    Progress progress(crew.size());
+    if (asked.cases.empty()) {
+      CheckGenerated(crew, subject, asked, options, fail_fast, progress, found);
+    } else {
+      CheckGiven(crew, subject, asked, options, fail_fast, progress, found);
+    }
+    if (asked.is_whole_catalogue && !Interrupted() && found.not_asked == 0) {
+      AddContract(crew.Of(0).Info(), found);
+      if (asked.cases.empty()) AddUnasked(crew.Of(0), found);
+    }
+  } catch (...) {
+    io::WriteStandardOutput(FindingsText(found, options.verbose));
+    throw;
+  }
+  return found;
+}
+
+}  // namespace
+
+int RunCheck(const CheckOptions& options) {
+  RequireHonestEnvironment();
+  if (options.catalogue) return CheckCatalogue(options);
+  if (!options.float_modes.empty()) return CheckFloatModes(options);
+  const ResolvedCheck asked = ResolveCheck(options);
+  if (!options.save.empty()) io::RequireFolderCanBe(options.save);
+  io::RequireFileCanBe(options.cases_json);
+  int status = kExitHolds;
+  io::RequireFileCanBe(options.json);
+  std::string cases;
+  std::vector<Findings> all;
+  for (const SubjectFactory& subject : asked.subjects) {
+    if (Interrupted()) break;
+    Findings found = Check(subject, asked, options);
+    cases += found.cases;
+    const std::string causes = Causes(subject, options, found);
+    ApplyKnownFailures(KnownOf(asked.known, found), Today(), found);
+    if (options.json != "-") {
+      io::WriteStandardOutput(FindingsText(found, options.verbose) + causes +
+                              report::AssumptionLines(found.profile) + LastLine(found) +
+                              Hint(subject.name(), found, options.profile));
+    }
+    status = WorseStatus(status, StatusOf(found));
+    all.push_back(std::move(found));
+  }
+  if (!options.cases_json.empty()) io::WriteFile(options.cases_json, cases);
+  if (Interrupted()) status = WorseStatus(status, kExitInconclusive);
+  if (!options.json.empty()) WriteOutput(options.json, CheckJson(all, status));
+  if (!Interrupted()) return status;
+  if (options.json != "-") io::WriteStandardOutput("interrupted: this is what was found so far\n");
+  return WorseStatus(status, kExitInconclusive);
+}
+
+}  // namespace rasterproof::tool

@@ -269,7 +269,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const Subje
       throw InputError("--case", "a name stands for a case together with a subject",
                        "give --subject as well");
     }
-    const props::CaseName case_name = RequireCaseName(choice.name);
+    const CaseName case_name = RequireCaseName(choice.name);
     if (!property.empty()) loaded.property = &RequireProperty(property);
     loaded.subject = Made(subject, choice, make);
     loaded.value = props::DrawCase(loaded.subject->Info(), case_name);

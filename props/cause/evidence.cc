@@ -174,6 +174,7 @@ std::vector<Case> CasesNearby(const Case& c) {
 // Cases of the property's own campaign that it has not judged.
 std::vector<Case> CasesOf(const SubjectInfo& info, const Property& property, std::uint64_t count) {
   std::vector<Case> cases;
+  const CaseOrder order(info, property, kSeedOfCauses);
   for (std::uint64_t k = 0; k < count; ++k) {
     try {
       cases.push_back(DrawCase(info, property, kSeedOfCauses, kFirstAround + k));

@@ -76,6 +76,7 @@ void SetReason(const SubjectStop& end, Attempt& attempt) {
       attempt.reason = "the subject failed: " + why;
       return;
     case Stop::kTooSlow:
+    case Stop::kOutOfMemory:
     case Stop::kDeadline:
       attempt.outcome = Outcome::kInconclusive;
       attempt.reason = "not judged: " + why;
@@ -178,8 +179,8 @@ PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measur
   const props::Property& property = *props::FindProperty("OneLegalModelExplainsTheMesh");
   const Scene& scene = measured.scene();
   PropertyResult result = ResultOn(measured, info, property);
-  result.outcome = Outcome::kNotApplicable;
   result.is_of_a_scene = true;
+  result.outcome = Outcome::kNotApplicable;
   if (const auto why = props::DoesNotApply(property.gate, {info})) {
     result.message = *why;
   } else if (const auto no_models = legal::WhyNotJoint(scene, {info.profile, scene})) {

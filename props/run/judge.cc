@@ -105,6 +105,7 @@ void CaseJudge::StopBy(const Answers& answers) {
       return;
     }
     case Stop::kTooSlow:
+    case Stop::kOutOfMemory:
     case Stop::kDeadline:
       trial_ = {Verdict::Inconclusive(answers.end.why), answers.end.stop};
       return;

@@ -240,20 +240,16 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   return command;
 }
 
-bool HoldsADrawing(const CaseChoice& choice) {
-  if (!choice.subject.empty() || !choice.name.empty() || choice.path.empty()) return false;
-  if (choice.is_fuzz_input || choice.path == "-") return false;  // what is piped is read once
-  const bool is_text = IsCaseText(choice.path);
-  const std::string content = is_text ? choice.path : io::ReadFile(Located(choice.path));
-  if (IsNoText(content)) return false;
-  return io::ParseCase(content, is_text ? "the case typed" : choice.path).drawing.has_value();
-}
-
-LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
-  return LoadCase(choice, verb, {});
-}
-
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make) {
+  LoadedCase loaded = LoadCaseOrDrawing(choice, verb, make);
+  if (!loaded.drawing) return loaded;
+  throw InputError(choice.path, "it holds a drawing, which no subject drew",
+                   "judge the drawing by 'rasterproof legal " + choice.path +
+                       "', or give --subject to see what that one draws of the scene");
+}
+
+LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
+                             const SubjectMaker& make) {
   LoadedCase loaded;
   std::string subject = choice.subject;
   std::string property = choice.property;
@@ -284,17 +280,16 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const Subje
   const bool is_text = IsCaseText(choice.path);
   const std::string content = is_text ? choice.path : io::ReadFile(Located(choice.path));
   if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb, make);
-  const io::CaseFile file = io::ParseCase(content, is_text              ? "the case typed"
-                                                   : choice.path == "-" ? "standard input"
-                                                                        : choice.path);
+  io::CaseFile file = io::ParseCase(content, is_text              ? "the case typed"
+                                             : choice.path == "-" ? "standard input"
+                                                                  : choice.path);
+  if (choice.subject.empty() && file.drawing) {
+    loaded.drawing = std::move(file);
+    return loaded;
+  }
   if (subject.empty() && !file.subject.empty()) {
     RequireOursInFile(file.subject, choice, verb);
     subject = file.subject;
-  }
-  if (choice.subject.empty() && file.drawing) {
-    throw InputError(choice.path, "it holds a drawing, which no subject drew",
-                     "judge the drawing by 'rasterproof legal " + choice.path +
-                         "', or give --subject to see what that one draws of the scene");
   }
   if (subject.empty()) subject = unnamed;
   if (property.empty()) property = file.property;

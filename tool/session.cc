@@ -106,7 +106,8 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
   const int samples = subject.Info().profile.pattern.samples();
   RequireTargetSize("scene", scene.width, scene.height, samples);
   CoverageCounts counts(scene.width, scene.height, samples);
-  props::DrawByFacing(subject, scene, options, counts);
+  const CallEnd end = props::DrawByFacing(subject, scene, options, counts);
+  if (end.stop != Stop::kNone) throw SubjectStop(end);
   return counts;
 }
 
@@ -328,7 +329,15 @@ props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions
   options.stop = Interrupted;
   if (!IsOutside(subject.Info().name)) return options;
   options.time_limit = OutsideLimits().seconds;
-  options.afresh = std::move(make);
+  if (!make) return options;
+  options.afresh = [make = std::move(make)]() -> std::unique_ptr<Subject> {
+    try {
+      return make();
+    } catch (const InputError&) {
+    } catch (const SubjectStop&) {  // it was interrupted
+    }
+    return nullptr;
+  };
   return options;
 }
 

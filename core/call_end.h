@@ -19,11 +19,16 @@ enum class Stop : std::uint8_t {
   kBrokeDown,    ///< it crashed, threw or gave a malformed answer: a finding
   kHung,         ///< it broke down by giving no answer at all: a finding too
   kTooSlow,      ///< it exceeded its time limit: neither a finding nor a pass
+  kOutOfMemory,  ///< it exceeded its memory limit: neither a finding nor a pass
   kDeadline      ///< the deadline of SetDeadline came first, which says nothing about the subject
 };
 
 /// Whether the subject broke down: a finding.
 inline bool IsBreakdown(Stop stop) { return stop == Stop::kBrokeDown || stop == Stop::kHung; }
+/// Whether a limit ended the call: nothing is known about the draw.
+inline bool IsALimit(Stop stop) {
+  return stop == Stop::kTooSlow || stop == Stop::kOutOfMemory || stop == Stop::kDeadline;
+}
 /// Whether jobs that follow in the same call are not drawn.
 inline bool EndsTheCall(Stop stop) {
   return stop != Stop::kNone && stop != Stop::kRefused && stop != Stop::kNotDrawable;

@@ -83,6 +83,8 @@ struct PropertyResult {
   std::string tolerance;                          ///< the named bound, or "none: exact"
   std::string world;              ///< the small world that it ran over; empty: random cases
   std::uint64_t world_cases = 0;  ///< cases of the world
+  /// Whether it says if one legal model explains what was drawn of a real scene.
+  bool is_of_a_scene = false;
   std::uint64_t seed = 0;
 
   std::uint64_t cases = 0;            ///< cases run, the one that it ended with included
@@ -116,6 +118,7 @@ struct PropertyResult {
 
   Outcome outcome = Outcome::kNotExercised;
   std::string message;
+  bool message_counts_refused = false;  ///< the message says how many cases were refused
 
   /// Adds what the verdict of a case says to the counters; the case itself props/run/conclude.h
   /// looks at.

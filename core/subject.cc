@@ -44,6 +44,7 @@ std::vector<DrawOutcome> Subject::DrawMany(std::span<const DrawJob> jobs) {
   std::vector<DrawOutcome> outcomes;
   for (const DrawJob& job : jobs) {
     DrawOutcome& outcome = outcomes.emplace_back();
+    std::string complaint;
     outcome.end = EndOf([&] {
       const WithinFloatMode mode(job.options.float_mode);
       if (job.onto == nullptr) {
@@ -52,8 +53,9 @@ std::vector<DrawOutcome> Subject::DrawMany(std::span<const DrawJob> jobs) {
         outcome.drawing.counts = *job.onto;
         Draw(SceneOf(job), job.options, outcome.drawing.counts);
       }
-      if (const std::string complaint = mode.Complaint(); !complaint.empty()) BreakDown(complaint);
+      complaint = mode.Complaint();
     });
+    if (!complaint.empty()) outcome.end = {Stop::kBrokeDown, complaint};
     if (EndsTheCall(outcome.end.stop)) break;
   }
   return outcomes;

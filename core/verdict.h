@@ -57,6 +57,8 @@ struct Verdict {
   /// The failing scene as it was drawn, if the property changed the case's scene: the witness then
   /// refers to this scene.
   std::shared_ptr<const DrawnScene> drawn = nullptr;
+  /// Violated because the subject broke down over the case: nothing is known to be drawn wrong.
+  bool broke_down = false;
   /// Samples that the property covers but does not judge, because the subject could legally choose
   /// to turn, flatten or fold a triangle there.
   std::uint64_t not_judged = 0;

@@ -101,9 +101,7 @@ std::vector<PointBox> ReachedSamplesOf(const EdgeUnit& unit) {
     const auto y = SamplesInReach(unit, l.y, unit.height);
     if (x && y) boxes.push_back({*x, *y, OnePixel(unit)});
   }
-  if (!boxes.empty()) return boxes;
-  throw InputError("--fixed", "no sample lies in the range of vertices",
-                   "give one more bit before or after the point");
+  return boxes;
 }
 
 UnitRange TileCorners(const EdgeUnit& unit, int side, int past) {
@@ -255,6 +253,7 @@ FoundWidth WidthOf(const EdgeTerm& value, const UnitRange& vertices, const Point
 
 std::vector<FoundWidth> FoundWidths(const EdgeUnit& unit) {
   const UnitRange vertices = VertexRange(unit);
+  if (const auto why = WhyNoEdgeWidths(unit)) throw InputError(*why);
   const std::vector<PointPlace> places = Places(unit);
   std::vector<FoundWidth> widths;
   for (const EdgeTerm& value : EdgeTerms(unit)) {
@@ -430,6 +429,12 @@ EdgeInteger WrappedTo(EdgeInteger value, int bits) {
   EdgeInteger rest = value % span;
   if (rest < 0) rest += span;
   return rest >= span / 2 ? rest - span : rest;
+}
+
+std::optional<InputError> WhyNoEdgeWidths(const EdgeUnit& unit) {
+  if (!ReachedSamplesOf(unit).empty()) return std::nullopt;
+  return InputError("--fixed", "no sample lies in the range of vertices",
+                    "give one more bit before or after the point");
 }
 
 std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit) {

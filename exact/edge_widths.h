@@ -3,9 +3,11 @@
 #define RASTERPROOF_EXACT_EDGE_WIDTHS_H_
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/fixed_input.h"
 #include "core/sample_pattern.h"
 #include "core/scene.h"
@@ -54,6 +56,10 @@ struct EdgeWidth {
   bool depends_on_p = false;  ///< else the witness's p is any sample in the box
 };
 
+/// Returns why EdgeWidths can't be asked; nothing if it can: some sample lies in the range of
+/// vertices.
+std::optional<InputError> WhyNoEdgeWidths(const EdgeUnit& unit);
+
 /// The widths of every value of the three forms, p at each of these places: samples in the box of a
 /// triangle (in the range of vertices), samples of the target, corners of its tiles, and one pixel
 /// and one tile past both ends of a row and of a column. Twice the area is E at the third vertex.
@@ -71,7 +77,7 @@ struct EdgeWidth {
 ///             has its own range: so the least and the largest lie at the 64 corners, which are
 ///             computed, for each sample of a pixel. Both are taken on, as the ends of the ranges
 ///             are inputs.
-/// Error:      InputError if no sample lies in the range of vertices.
+/// Error:      WhyNoEdgeWidths().
 std::vector<EdgeWidth> EdgeWidths(const EdgeUnit& unit);
 
 /// Of fewer bits no edge function is made.

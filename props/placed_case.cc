@@ -18,13 +18,18 @@ bool StatesFlatTriangles(const Profile& profile) {
 }  // namespace
 
 PlacedCase::PlacedCase(const Case& c)
-    : PlacedScene(c.scene, c.profile), stated(c.profile), options(c.options), origin(c.origin) {}
+    : PlacedScene(c.scene, c.profile),
+      stated(c.profile),
+      options(c.options),
+      origin(c.origin),
+      name(c.name) {}
 
 PlacedCase::PlacedCase(Scene other, const PlacedCase& c)
     : PlacedScene(std::move(other), c.stated),
       stated(c.stated),
       options(c.options),
-      origin(c.origin) {}
+      origin(c.origin),
+      name(c.name) {}
 
 PlacedCase PlacedCase::With(Scene other) const { return {std::move(other), *this}; }
 

@@ -26,6 +26,7 @@ struct PlacedCase : exact::PlacedScene {
   Profile stated;  ///< on any target
   DrawOptions options;
   std::string origin;
+  std::optional<CaseName> name;
   /// Triangle k of `scene` is this one of the case as given. Nothing: all are there.
   std::optional<std::vector<std::size_t>> numbers;
   /// The places given to a subject with its own transform. Nothing: `scene`.
@@ -38,7 +39,7 @@ struct PlacedCase : exact::PlacedScene {
   /// The same under another freedom.
   PlacedCase Under(const Freedom& freedom) const;
   /// The case, to be compared and saved.
-  Case Value() const { return {scene, profile, options, origin}; }
+  Case Value() const { return {scene, profile, options, origin, name}; }
 
  private:
   PlacedCase(Scene other, const PlacedCase& c);

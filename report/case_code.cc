@@ -21,21 +21,32 @@
 namespace rasterproof::report {
 namespace {
 
-// How one language writes it.
+// How one language writes it. In `target` stand a width and a height; where an array begins its
+// type, its name, the name in the manner of constants, and the columns.
 struct Syntax {
   std::string_view comment;
   std::string_view not_a_number;
   std::string_view infinity;
-  std::string_view open;  // of a list
+  std::string_view target;
+  std::string_view begin;  // of an array
+  std::string_view open;   // of a row
   std::string_view close;
+  std::string_view end;
 };
 
 constexpr std::array<Syntax, 4> kSyntaxes{
-    Syntax{"// ", "NAN", "INFINITY", "{", "}"},
-    Syntax{"# ", "float(\"nan\")", "float(\"inf\")", "(", ")"},
-    Syntax{"// ", "NaN", "Infinity", "[", "]"},
-    Syntax{"// ", "", "", "", ""},
+    Syntax{"// ", "NAN", "INFINITY", "constexpr int kWidth = {};\nconstexpr int kHeight = {};\n",
+           "constexpr {0} k{2}[][{3}] = {{\n", "{", "}", "};\n"},
+    Syntax{"# ", "float(\"nan\")", "float(\"inf\")", "width, height = {}, {}\n", "{1} = [\n", "(",
+           ")", "]\n"},
+    Syntax{"// ", "NaN", "Infinity", "const width = {};\nconst height = {};\n",
+           "const {1}: number[][] = [\n", "[", "]", "];\n"},
+    Syntax{"// ", "", "", "", "", "", "", ""},
 };
+
+const Syntax& SyntaxOf(CodeLanguage language) {
+  return kSyntaxes[static_cast<std::size_t>(language)];
+}
 
 // x and y; z where one is not 0; x, y, z and w in clip space.
 std::size_t CoordinatesOf(const Scene& scene) {
@@ -52,7 +63,7 @@ class CaseWriter {
  public:
   CaseWriter(CodeLanguage language, const Case& c)
       : language_(language),
-        syntax_(kSyntaxes[static_cast<std::size_t>(language)]),
+        syntax_(SyntaxOf(language)),
         scene_(c.scene),
         fixed_(CanBeGiven(c.scene, c.profile) ? c.profile.fixed : std::nullopt),
         coordinates_(CoordinatesOf(c.scene)) {}
@@ -113,71 +124,22 @@ class CaseWriter {
     return fmt::format("{:a}{}", x, IsFloat64() ? "" : "F");
   }
 
-  std::string List(const std::vector<std::string>& items) const {
-    return fmt::format("{}{}{}", syntax_.open, fmt::join(items, ", "), syntax_.close);
-  }
-
   std::string Lists() const {
-    std::vector<std::string> vertices;
+    std::vector<CodeRow> vertices;
     for (const Vertex& v : scene_.vertices) {
-      std::vector<std::string> numbers;
-      for (const double x : Coordinates(v, coordinates_)) numbers.push_back(Number(x));
-      vertices.push_back(List(numbers));
+      CodeRow& row = vertices.emplace_back();
+      for (const double x : Coordinates(v, coordinates_)) row.push_back(Number(x));
     }
-    std::vector<std::string> triangles;
+    std::vector<CodeRow> triangles;
     for (const Triangle& t : scene_.triangles) {
-      triangles.push_back(List({std::to_string(t[0]), std::to_string(t[1]), std::to_string(t[2])}));
+      triangles.push_back({std::to_string(t[0]), std::to_string(t[1]), std::to_string(t[2])});
     }
-    std::string text = Target();
-    text += Begin("vertices",
-                  fixed_        ? (IsWide() ? "std::int64_t" : "std::int32_t")
-                  : IsFloat64() ? "double"
-                                : "float",
-                  coordinates_);
-    for (const std::string& vertex : vertices) text += fmt::format("    {},\n", vertex);
-    text += End();
-    text += Begin("triangles", "int", 3);
-    for (const std::string& triangle : triangles) text += fmt::format("    {},\n", triangle);
-    return text + End();
-  }
-
-  std::string Target() const {
-    switch (language_) {
-      case CodeLanguage::kCpp:
-        return fmt::format("constexpr int kWidth = {};\nconstexpr int kHeight = {};\n",
-                           scene_.width, scene_.height);
-      case CodeLanguage::kPython:
-        return fmt::format("width, height = {}, {}\n", scene_.width, scene_.height);
-      case CodeLanguage::kTypescript:
-      case CodeLanguage::kReadmemh:
-        break;
-    }
-    return fmt::format("const width = {};\nconst height = {};\n", scene_.width, scene_.height);
-  }
-  std::string Begin(std::string_view name, std::string_view type, std::size_t columns) const {
-    switch (language_) {
-      case CodeLanguage::kCpp:
-        return fmt::format("constexpr {} k{}{}[][{}] = {{\n", type,
-                           static_cast<char>(name.front() - 'a' + 'A'), name.substr(1), columns);
-      case CodeLanguage::kPython:
-        return fmt::format("{} = [\n", name);
-      case CodeLanguage::kTypescript:
-      case CodeLanguage::kReadmemh:
-        break;
-    }
-    return fmt::format("const {}: number[][] = [\n", name);
-  }
-  std::string End() const {
-    switch (language_) {
-      case CodeLanguage::kCpp:
-        return "};\n";
-      case CodeLanguage::kPython:
-        return "]\n";
-      case CodeLanguage::kTypescript:
-      case CodeLanguage::kReadmemh:
-        break;
-    }
-    return "];\n";
+    const std::string_view type = fixed_        ? (IsWide() ? "std::int64_t" : "std::int32_t")
+                                  : IsFloat64() ? "double"
+                                                : "float";
+    return fmt::format(fmt::runtime(syntax_.target), scene_.width, scene_.height) +
+           ArrayAsCode(language_, "vertices", type, coordinates_, vertices) +
+           ArrayAsCode(language_, "triangles", "int", 3, triangles);
   }
 
   std::string Word(std::int64_t value) const {
@@ -218,6 +180,20 @@ std::optional<CodeLanguage> CodeLanguageNamed(std::string_view name) {
   const auto found = std::ranges::find(kCodeLanguages, name);
   if (found == kCodeLanguages.end()) return std::nullopt;
   return static_cast<CodeLanguage>(found - kCodeLanguages.begin());
+}
+
+std::string_view CommentOf(CodeLanguage language) { return SyntaxOf(language).comment; }
+
+std::string ArrayAsCode(CodeLanguage language, std::string_view name, std::string_view type,
+                        std::size_t columns, const std::vector<CodeRow>& rows) {
+  const Syntax& syntax = SyntaxOf(language);
+  std::string constant(name);
+  constant.front() = static_cast<char>(constant.front() - 'a' + 'A');
+  std::string text = fmt::format(fmt::runtime(syntax.begin), type, name, constant, columns);
+  for (const CodeRow& row : rows) {
+    text += fmt::format("    {}{}{},\n", syntax.open, fmt::join(row, ", "), syntax.close);
+  }
+  return text + std::string(syntax.end);
 }
 
 std::string CaseCode(CodeLanguage language, const Case& c, std::string_view notes) {

@@ -87,6 +87,9 @@ Overall OverallOf(const Certificate& certificate);
 /// Returns the word of OverallOf(): "holds", "violated" or "inconclusive".
 std::string OverallVerdict(const Certificate& certificate);
 
+/// Returns the scenes that were not drawn or not compared, each once, with the reason.
+std::vector<Evidence> ScenesNotDrawn(const Certificate& certificate);
+
 /// Returns the properties and scenes that do not apply to the subject, each once, with the reason.
 std::vector<Evidence> NotApplicable(const Certificate& certificate);
 

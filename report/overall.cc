@@ -1,5 +1,6 @@
 // What a certificate comes to, and what it does not speak for.
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -37,6 +38,10 @@ std::string WhyNotExercised(const Certificate& certificate) {
   }
   if (certificate.contract_untested.empty()) return "";
   return "its contract was not put to the test: " + certificate.contract_untested;
+}
+
+void AddOnce(const std::string& statement, const std::string& by, std::vector<Evidence>& list) {
+  if (!std::ranges::count(list, statement, &Evidence::statement)) list.push_back({statement, by});
 }
 
 }  // namespace
@@ -84,17 +89,20 @@ std::string OverallVerdict(const Certificate& certificate) {
   return std::string(OutcomeName(OverallOf(certificate).outcome));
 }
 
+std::vector<Evidence> ScenesNotDrawn(const Certificate& certificate) {
+  std::vector<Evidence> list;
+  for (const SceneResult& result : certificate.measured) {
+    if (!result.applicable) AddOnce("scene " + result.scene, result.message, list);
+  }
+  return list;
+}
+
 std::vector<Evidence> NotApplicable(const Certificate& certificate) {
   std::vector<Evidence> list;
-  const auto add = [&](const std::string& property, const std::string& why) {
-    if (!std::ranges::count(list, property, &Evidence::statement)) list.push_back({property, why});
-  };
   for (const PropertyResult& result : certificate.tested) {
-    if (result.outcome == Outcome::kNotApplicable) add(NameOf(result), result.message);
+    if (result.outcome == Outcome::kNotApplicable) AddOnce(NameOf(result), result.message, list);
   }
-  for (const SceneResult& result : certificate.measured) {
-    if (!result.applicable) add("scene " + result.scene, result.message);
-  }
+  std::ranges::copy(ScenesNotDrawn(certificate), std::back_inserter(list));
   return list;
 }
 
@@ -126,7 +134,7 @@ std::string Reservations(const PropertyResult& result) {
   const std::string refused =
       fmt::format("exercised in {} of {} cases, {} refused", result.cases_exercised, result.cases,
                   result.cases_refused);
-  if (result.cases_refused != 0 && result.message.find(refused) == std::string::npos) {
+  if (result.cases_refused != 0 && !result.message_counts_refused) {
     const bool holds = result.outcome == Outcome::kHolds;
     text = (holds ? "holds where it did not refuse: " : "") + refused;
   }

@@ -240,8 +240,8 @@ const props::World& RequireWorld(const std::string& place, const std::string& na
                    Suggestion(name, names) + "'rasterproof list worlds' names all that there are");
 }
 
-props::CaseName RequireCaseName(const std::string& name) {
-  props::CaseName parsed = props::ParseCaseName(name);
+CaseName RequireCaseName(const std::string& name) {
+  CaseName parsed = props::ParseCaseName(name);
   if (props::FindDomain(parsed.domain) == nullptr && props::FindWorld(parsed.domain) == nullptr) {
     std::vector<std::string> names;
     for (const props::Domain& domain : props::Domains()) names.emplace_back(domain.name);

@@ -85,14 +85,14 @@ const props::World& RequireWorld(const std::string& place, const std::string& na
 /// Reads the name of a drawn case, "near-edge:17@1".
 ///
 /// Error:      InputError that says what is wrong with it, with the domain that may be meant.
-props::CaseName RequireCaseName(const std::string& name);
+CaseName RequireCaseName(const std::string& name);
 
 /// A case that the user names: by its file, which is read, or by its own name, which stands for a
 /// case together with a subject.
 struct GivenCase {
   std::string place;  ///< as the user gave it
   Case value;
-  std::optional<props::CaseName> name;
+  std::optional<CaseName> name;
   bool states_profile = false;  ///< its file says by what model it was judged
 };
 

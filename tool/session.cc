@@ -106,7 +106,8 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
   const int samples = subject.Info().profile.pattern.samples();
   RequireTargetSize("scene", scene.width, scene.height, samples);
   CoverageCounts counts(scene.width, scene.height, samples);
-  props::DrawByFacing(subject, scene, options, counts);
+  const CallEnd end = props::DrawByFacing(subject, scene, options, counts);
+  if (end.stop != Stop::kNone) throw SubjectStop(end);
   return counts;
 }
 
@@ -240,20 +241,16 @@ std::string CommandFor(std::string_view verb, const CaseChoice& choice) {
   return command;
 }
 
-bool HoldsADrawing(const CaseChoice& choice) {
-  if (!choice.subject.empty() || !choice.name.empty() || choice.path.empty()) return false;
-  if (choice.is_fuzz_input || choice.path == "-") return false;  // what is piped is read once
-  const bool is_text = IsCaseText(choice.path);
-  const std::string content = is_text ? choice.path : io::ReadFile(Located(choice.path));
-  if (IsNoText(content)) return false;
-  return io::ParseCase(content, is_text ? "the case typed" : choice.path).drawing.has_value();
-}
-
-LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb) {
-  return LoadCase(choice, verb, {});
-}
-
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make) {
+  LoadedCase loaded = LoadCaseOrDrawing(choice, verb, make);
+  if (!loaded.drawing) return loaded;
+  throw InputError(choice.path, "it holds a drawing, which no subject drew",
+                   "judge the drawing by 'rasterproof legal " + choice.path +
+                       "', or give --subject to see what that one draws of the scene");
+}
+
+LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
+                             const SubjectMaker& make) {
   LoadedCase loaded;
   std::string subject = choice.subject;
   std::string property = choice.property;
@@ -269,7 +266,7 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const Subje
       throw InputError("--case", "a name stands for a case together with a subject",
                        "give --subject as well");
     }
-    const props::CaseName case_name = RequireCaseName(choice.name);
+    const CaseName case_name = RequireCaseName(choice.name);
     if (!property.empty()) loaded.property = &RequireProperty(property);
     loaded.subject = Made(subject, choice, make);
     loaded.value = props::DrawCase(loaded.subject->Info(), case_name);
@@ -284,17 +281,16 @@ LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const Subje
   const bool is_text = IsCaseText(choice.path);
   const std::string content = is_text ? choice.path : io::ReadFile(Located(choice.path));
   if (choice.is_fuzz_input || IsNoText(content)) return LoadFuzzInput(choice, content, verb, make);
-  const io::CaseFile file = io::ParseCase(content, is_text              ? "the case typed"
-                                                   : choice.path == "-" ? "standard input"
-                                                                        : choice.path);
+  io::CaseFile file = io::ParseCase(content, is_text              ? "the case typed"
+                                             : choice.path == "-" ? "standard input"
+                                                                  : choice.path);
+  if (choice.subject.empty() && file.drawing) {
+    loaded.drawing = std::move(file);
+    return loaded;
+  }
   if (subject.empty() && !file.subject.empty()) {
     RequireOursInFile(file.subject, choice, verb);
     subject = file.subject;
-  }
-  if (choice.subject.empty() && file.drawing) {
-    throw InputError(choice.path, "it holds a drawing, which no subject drew",
-                     "judge the drawing by 'rasterproof legal " + choice.path +
-                         "', or give --subject to see what that one draws of the scene");
   }
   if (subject.empty()) subject = unnamed;
   if (property.empty()) property = file.property;
@@ -333,7 +329,15 @@ props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions
   options.stop = Interrupted;
   if (!IsOutside(subject.Info().name)) return options;
   options.time_limit = OutsideLimits().seconds;
-  options.afresh = std::move(make);
+  if (!make) return options;
+  options.afresh = [make = std::move(make)]() -> std::unique_ptr<Subject> {
+    try {
+      return make();
+    } catch (const InputError&) {
+    } catch (const SubjectStop&) {  // it was interrupted
+    }
+    return nullptr;
+  };
   return options;
 }
 

@@ -13,6 +13,7 @@
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
+#include "io/case_file.h"
 #include "props/domains/case_name.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
@@ -36,19 +37,20 @@ struct LoadedCase {
   std::unique_ptr<Subject> subject;
   const props::Property* property = nullptr;  ///< nullptr: none was named
   std::string replay;                         ///< the command that loads it again
+  /// The file, if it holds a drawing that no subject drew, and no subject is to draw its scene:
+  /// then nothing else is set.
+  std::optional<io::CaseFile> drawing = std::nullopt;
 };
 /// A subject that only the file names is one of this program's own: the built-in ones, the oracle,
 /// planted bugs and legal variants, the type of kit/main.h. Any other is for the user to name.
 ///
+/// Returns:    the case. `make` makes its subject, if given, in place of the one of the choice's name.
 /// Error:      InputError if the choice is of no case or of two, or lacks what its case needs; with
 ///             the command to type where the file names a subject outside.
-LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb);
-/// The same, with the subject that `make` makes in place of the one of the choice's name.
-LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make);
-
-/// Returns whether the choice is of a file with a drawing that no subject drew, and no subject is
-/// to draw its scene.
-bool HoldsADrawing(const CaseChoice& choice);
+LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
+                             const SubjectMaker& make = {});
+/// The same, of a case that a subject draws.
+LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make = {});
 
 /// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
 std::string SubjectOption(const std::string& name);

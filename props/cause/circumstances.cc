@@ -37,6 +37,8 @@ struct Toggle {
   std::string_view name;
   std::string_view what;
   bool (*change)(Questions&);
+  /// Before it is tried, the draw is asked for by itself, without the draws of its check.
+  bool asks_by_itself_first = false;
 };
 
 template <class Change>
@@ -59,7 +61,8 @@ constexpr auto kToggles = std::to_array<Toggle>({
        return Each(q, [](DrawQuestion& d) {
          return std::exchange(d.job.options.scissor, std::nullopt).has_value();
        });
-     }},
+     },
+     true},
     {"culling", "where nothing is culled",
      [](Questions& q) {
        return Each(q, [](DrawQuestion& d) {
@@ -211,7 +214,7 @@ Circumstance FindCircumstance(const MakesSubject& make, std::span<const Observat
   if (AllRight(tried, [&](const Observation& o) { return toggling.Again(o); }))
     return after_others();
   for (const Toggle& toggle : kToggles) {
-    if (toggle.name == "scissor" &&
+    if (toggle.asks_by_itself_first &&
         AllRight(tried, [&](const Observation& o) { return toggling.ByItself(o); })) {
       return after_others();
     }

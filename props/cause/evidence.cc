@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "core/clock.h"
-#include "core/error.h"
 #include "model/snap_scene.h"
 #include "props/cause/suspect.h"
 #include "props/judging/redraw.h"
-#include "props/run/campaign.h"
+#include "props/run/case_order.h"
 #include "props/run/description.h"
 #include "props/run/judge.h"
+#include "props/run/property_domains.h"
 #include "props/run/submit.h"
 
 namespace rasterproof::props {
@@ -119,6 +119,7 @@ std::vector<Case> CasesNearby(const Case& c) {
   const auto add = [&](auto change) {
     Case moved = c;
     moved.origin.clear();
+    moved.name.reset();
     change(moved.scene);
     for (Vertex& v : moved.scene.vertices) {
       if (moved.scene.precision != Precision::kFloat32) continue;
@@ -173,13 +174,10 @@ std::vector<Case> CasesNearby(const Case& c) {
 
 // Cases of the property's own campaign that it has not judged.
 std::vector<Case> CasesOf(const SubjectInfo& info, const Property& property, std::uint64_t count) {
+  const CaseOrder order(info, property, kSeedOfCauses);
   std::vector<Case> cases;
-  for (std::uint64_t k = 0; k < count; ++k) {
-    try {
-      cases.push_back(DrawCase(info, property, kSeedOfCauses, kFirstAround + k));
-    } catch (const InputError&) {  // none of its domains suits the subject
-      break;
-    }
+  for (std::uint64_t k = 0; k < count && !order.IsEmpty(); ++k) {
+    cases.push_back(DrawCase(info, order.Name(kFirstAround + k)));
   }
   return cases;
 }

@@ -11,16 +11,17 @@
 #include <vector>
 
 #include "core/clock.h"
-#include "core/error.h"
 #include "props/cause/suspect.h"
 #include "props/judging/redraw.h"
-#include "props/run/campaign.h"
+#include "props/run/case_order.h"
+#include "props/run/property_domains.h"
 #include "props/run/submit.h"
 
 namespace rasterproof::props {
 namespace {
 
 constexpr std::uint64_t kSplits = 320;  // cases that are looked at to tell suspects apart
+constexpr std::uint64_t kSeedOfSplits = 1;
 constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
 constexpr std::size_t kConfirmations = 16;  // draws more in which what is left must be wrong alike
 
@@ -118,11 +119,9 @@ bool Investigation::Split(std::vector<Fitting>& left, const Case& c, bool also_a
 std::optional<Case> Investigation::NextSplit(std::uint64_t number) const {
   const Property* property = FindProperty("CoverageEqualsTheModel");
   if (number % 2 == 1) property = failures_[number / 2 % failures_.size()].property;
-  try {
-    return DrawCase(subject_->Info(), *property, 1, kFirstSplit + number / 2);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
+  const CaseOrder order(subject_->Info(), *property, kSeedOfSplits);
+  if (order.IsEmpty()) return std::nullopt;
+  return DrawCase(subject_->Info(), order.Name(kFirstSplit + number / 2));
 }
 
 void Investigation::TellApart(std::vector<Fitting>& left) {

@@ -1,22 +1,13 @@
-// Names of drawn cases: "near-edge:17@1" is case 17 of the domain near-edge under seed 1.
+// Names of drawn cases as text.
 #ifndef RASTERPROOF_PROPS_DOMAINS_CASE_NAME_H_
 #define RASTERPROOF_PROPS_DOMAINS_CASE_NAME_H_
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "core/case.h"
+
 namespace rasterproof::props {
-
-/// The name of a case. It determines the case together with the subject's input lattice and
-/// profile; neither the property nor the other domains matter.
-struct CaseName {
-  std::string domain;
-  std::uint64_t index = 0;
-  std::uint64_t seed = 1;
-
-  friend bool operator==(const CaseName&, const CaseName&) = default;
-};
 
 /// Returns "DOMAIN:INDEX@SEED".
 std::string ToText(const CaseName& name);

@@ -43,12 +43,8 @@ Case InputThatNeedsTheLastBit(std::uint64_t index, const SubjectInfo& info) {
 std::string WhyNoWidths(const SubjectInfo& info) {
   if (!info.profile.fixed) return "its input is not of a fixed-point format";
   if (!info.takes_window) return "it takes no window-space scenes";
-  try {
-    exact::EdgeWidths(UnitOf(info));
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  const auto why = exact::WhyNoEdgeWidths(UnitOf(info));
+  return why ? why->what() : "";
 }
 
 }  // namespace

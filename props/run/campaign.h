@@ -66,7 +66,8 @@ struct CampaignOptions {
   /// Read and kept up to date, if there is one: for runs of several properties on one subject.
   Pace* pace = nullptr;
   /// Makes a fresh subject in its own process. A failure is judged again by one that has drawn
-  /// nothing else, as in a replay. Empty: the subject itself judges it again.
+  /// nothing else, as in a replay. Empty, or nullptr if none can be made or the run is stopped: the
+  /// subject itself judges it again.
   std::function<std::unique_ptr<Subject>()> afresh = {};
   /// The clock, for tests. Empty: std::chrono::steady_clock.
   std::function<std::chrono::steady_clock::time_point()> now = {};

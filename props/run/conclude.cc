@@ -193,6 +193,7 @@ std::string NotReached(const SubjectInfo& info, const Property& property,
 struct Conclusion {
   Outcome outcome = Outcome::kHolds;
   std::string message = {};
+  bool says_how_far = false;  ///< the message has SoFar()
 };
 
 // Of a run in which nothing was violated, and no case lacks a verdict.
@@ -202,8 +203,10 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
     return {Outcome::kNotApplicable, result.why_not};
   }
   if (const std::string refused = RefusedText(result); !refused.empty()) {
-    return {Outcome::kInconclusive, "the subject refuses " + refused + ": " + SoFar(result) +
-                                        "; the first refusal: " + result.why_refused};
+    return {Outcome::kInconclusive,
+            "the subject refuses " + refused + ": " + SoFar(result) +
+                "; the first refusal: " + result.why_refused,
+            true};
   }
   if (ChangesItsFront(result)) return {Outcome::kInconclusive, FrontText(result)};
   if (std::string changed = ChangedGridText(result); !changed.empty()) {
@@ -219,7 +222,10 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
     AddSentence(said.message, dead);
     return said;
   }
-  if (result.cases_refused != 0) said.message = "holds where it did not refuse: " + SoFar(result);
+  if (result.cases_refused != 0) {
+    said.message = "holds where it did not refuse: " + SoFar(result);
+    said.says_how_far = true;
+  }
   AddSentence(said.message, FrontText(result));
   AddSentence(said.message, GridText(result));
   return said;
@@ -228,7 +234,7 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
 Conclusion ByEnd(const SubjectInfo& info, const Property& property, const PropertyResult& result) {
   const auto cut_short = [&result](std::string why) -> Conclusion {
     AddSentence(why, "nothing violated so far, " + SoFar(result));
-    return {Outcome::kInconclusive, why};
+    return {Outcome::kInconclusive, why, true};
   };
   switch (result.end) {
     case End::kAllRun:
@@ -297,12 +303,13 @@ void AddCase(std::size_t place, const Case& c, const Verdict& verdict, PropertyR
 }
 
 void Conclude(const SubjectInfo& info, const Property& property, PropertyResult& result) {
-  auto [outcome, message] = ByEnd(info, property, result);
+  auto [outcome, message, says_how_far] = ByEnd(info, property, result);
   if (result.world.empty() && result.end != End::kNotApplicable) {
     AddSentence(message, LeftOutDomains(info, property));
   }
   result.outcome = outcome;
   result.message = message;
+  result.message_counts_refused = says_how_far;
 }
 
 }  // namespace rasterproof::props

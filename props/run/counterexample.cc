@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/call_end.h"
-#include "core/error.h"
 #include "props/run/look_ahead.h"
 #include "props/shrink/shrink.h"
 
@@ -52,14 +51,8 @@ class FreshSubject {
   FreshSubject(Subject& subject, const CampaignOptions& options, const Budget& budget)
       : subject_(subject) {
     if (!options.afresh || budget.IsStopped()) return;
-    try {
-      made_ = options.afresh();
-    } catch (const InputError&) {
-      return;
-    } catch (const SubjectStop&) {  // it was interrupted
-      return;
-    }
-    budget.GiveAll(*made_);
+    made_ = options.afresh();
+    if (made_ != nullptr) budget.GiveAll(*made_);
   }
 
   Subject& Get() const { return made_ == nullptr ? subject_ : *made_; }

@@ -1,5 +1,6 @@
 #include "props/run/facings.h"
 
+#include <utility>
 #include <vector>
 
 #include "core/drawing.h"
@@ -8,16 +9,18 @@
 
 namespace rasterproof::props {
 
-void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
-                  CoverageCounts& counts) {
+CallEnd DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
+                     CoverageCounts& counts) {
   const SubjectInfo& info = subject.Info();
   if (info.coverage == CoverageKind::kFacingCounts) {
-    return DrawOnto(subject, scene, options, counts);
+    const DrawJob job(scene, options, counts.samples);
+    DrawOutcome outcome = std::move(subject.DrawMany({&job, 1}).front());
+    if (outcome.end.stop == Stop::kNone) counts += outcome.drawing.counts;
+    return std::move(outcome.end);
   }
   const std::vector<FacingDraw> parts =
       FacingDraws({scene, options, counts.samples}, info.coverage, info.profile);
-  const CallEnd end = DrawFacings(subject, parts, counts);
-  if (end.stop != Stop::kNone) throw SubjectStop(end);
+  return DrawFacings(subject, parts, counts);
 }
 
 }  // namespace rasterproof::props

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_RUN_FACINGS_H_
 #define RASTERPROOF_PROPS_RUN_FACINGS_H_
 
+#include "core/call_end.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/scene.h"
@@ -13,9 +14,9 @@ namespace rasterproof::props {
 /// CoverageKind::kFacingCounts draws itself, and of any other the sum of the draws of the parts
 /// (FacingDraws) that the profile makes of the scene by which the subject is judged.
 ///
-/// Error:      SubjectStop if there is no drawing.
-void DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
-                  CoverageCounts& counts);
+/// Returns:    how the call ended. Of a stop there is no drawing, and `counts` are of no use.
+CallEnd DrawByFacing(Subject& subject, const Scene& scene, const DrawOptions& options,
+                     CoverageCounts& counts);
 
 }  // namespace rasterproof::props
 

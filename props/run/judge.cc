@@ -97,6 +97,7 @@ void CaseJudge::StopBy(const Answers& answers) {
     case Stop::kHung: {
       Trial trial{Verdict::Violated(1, "the subject failed: " + answers.end.why, Witness{}),
                   answers.end.stop};
+      trial.verdict.broke_down = true;
       if (answers.stopped_at) {
         trial.verdict.drawn = DrawnBy(checks_.checks[next_], *answers.stopped_at);
       }
@@ -104,6 +105,7 @@ void CaseJudge::StopBy(const Answers& answers) {
       return;
     }
     case Stop::kTooSlow:
+    case Stop::kOutOfMemory:
     case Stop::kDeadline:
       trial_ = {Verdict::Inconclusive(answers.end.why), answers.end.stop};
       return;

@@ -33,6 +33,7 @@ Case DrawWorldCase(const SubjectInfo& info, const World& world, const CaseName& 
   }
   Case c = CaseOfWorld(world, name.index, info);
   c.origin = ToText(name);
+  c.name = name;
   return c;
 }
 
@@ -100,6 +101,7 @@ Case DrawCase(const SubjectInfo& info, const CaseName& name) {
   PhiloxSource bits(name.seed, name.index, domain->number);
   Case c = DrawNamed(*domain, bits, info);
   c.origin = text;
+  c.name = name;
   return c;
 }
 

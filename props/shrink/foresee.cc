@@ -147,7 +147,6 @@ class Foreseeing {
   }
 
  private:
-  struct Left {};  // a course is left for another one
   static constexpr std::uint64_t kMostCourses = 20'000;
 
   // Shrinks as if the candidates of which nothing is known failed as the course says, and on from
@@ -159,7 +158,7 @@ class Foreseeing {
     Case current = failing_;
     std::unordered_map<std::string, bool> supposed;
     std::unordered_set<std::string> rejected;
-    const auto fails = [&](const Case& candidate) {
+    const auto fails = [&](const Case& candidate) -> std::optional<bool> {
       const std::string bytes = BytesOf(candidate);
       ShrinkStep step = StepBetween(current, candidate);
       const StepKind kind = rejected.contains(step.what) ? StepKind::kRepeated : step.kind;
@@ -177,16 +176,14 @@ class Foreseeing {
       }
       is_known_so_far = false;
       if (const auto it = supposed.find(bytes); it != supposed.end()) return decide(it->second);
-      if (next == course.fails.size()) Extend(course, candidate, bytes, kind);
+      if (next == course.fails.size() && !Extend(course, candidate, bytes, kind)) {
+        return std::nullopt;  // what this course was to show is asked for
+      }
       const bool guess = course.fails[next++];
       supposed.emplace(bytes, guess);
       return decide(guess);
     };
-    try {
-      Shrink(failing_, fails, budget_);
-    } catch (const Left&) {
-      return;  // what this course was to show is asked for
-    }
+    Shrink(failing_, fails, budget_);
   }
 
   std::optional<bool> Known(const Case& candidate, const std::string& bytes, StepKind kind) {
@@ -198,10 +195,12 @@ class Foreseeing {
     return it->second;
   }
 
-  // Asks for the candidate, goes on with the more probable answer and notes the other.
-  void Extend(Course& course, const Case& candidate, const std::string& bytes, StepKind kind) {
+  // Asks for the candidate, goes on with the more probable answer and notes the other. Returns
+  // whether it goes on: a course is left for a more probable one, and for good where there is no
+  // room for more.
+  bool Extend(Course& course, const Case& candidate, const std::string& bytes, StepKind kind) {
     if (wanted_.insert(bytes).second) is_full_ = !known_.want(candidate);
-    if (is_full_) throw Left{};
+    if (is_full_) return false;
     const double share = experience_.ShareOf(kind);
     const bool guess = share > 0.5;
     Course other = course;
@@ -211,10 +210,10 @@ class Foreseeing {
     course.cost -= std::log(guess ? share : 1 - share);
     course.fails.push_back(guess);
     courses_.push(std::move(other));
-    if (course.cost <= courses_.top().cost) return;
+    if (course.cost <= courses_.top().cost) return true;
     course.number = ++numbered_;
     courses_.push(std::move(course));
-    throw Left{};
+    return false;
   }
 
   const Case& failing_;

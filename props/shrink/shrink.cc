@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -39,23 +39,26 @@ class CollectingAttempts final : public Attempts {
 // Takes every simpler candidate that still fails.
 class Greedy final : public Attempts {
  public:
-  Greedy(const Case& c, const std::function<bool(const Case&)>& fails, std::uint64_t budget)
+  Greedy(const Case& c, const FailsOrEnd& fails, std::uint64_t budget)
       : result_{c, 0}, fails_(fails), budget_(budget) {}
   const Case& Current() const override { return result_.minimal; }
   bool Try(Case candidate) override {
     if (Exhausted() || !(CostOf(candidate) < CostOf(result_.minimal))) return false;
     ++result_.evaluations;
-    if (!fails_(candidate)) return false;
+    const std::optional<bool> fails = fails_(candidate);
+    is_ended_ = !fails;
+    if (!fails.value_or(false)) return false;
     result_.minimal = std::move(candidate);
     return true;
   }
-  bool Exhausted() const override { return result_.evaluations >= budget_; }
+  bool Exhausted() const override { return is_ended_ || result_.evaluations >= budget_; }
   Shrunk Take() { return std::move(result_); }
 
  private:
   Shrunk result_;
-  const std::function<bool(const Case&)>& fails_;
+  const FailsOrEnd& fails_;
   std::uint64_t budget_;
+  bool is_ended_ = false;
 };
 
 }  // namespace
@@ -66,8 +69,7 @@ std::vector<Case> ShrinkCandidates(const Case& c) {
   return collector.Take();
 }
 
-Shrunk Shrink(const Case& failing, const std::function<bool(const Case&)>& fails,
-              std::uint64_t budget) {
+Shrunk Shrink(const Case& failing, const FailsOrEnd& fails, std::uint64_t budget) {
   Greedy greedy(failing, fails, budget);
   // Every accepted candidate costs less, and there is no endless descent among tuples of naturals:
   // the loop ends even without a budget.

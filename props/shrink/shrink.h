@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/case.h"
@@ -20,13 +21,15 @@ struct Shrunk {
   std::uint64_t evaluations = 0;  ///< calls of `fails`
 };
 
+/// Whether a candidate fails; nothing: shrinking ends here.
+using FailsOrEnd = std::function<std::optional<bool>(const Case&)>;
+
 /// Shrinks greedily: as long as some candidate fails, the boldest of them takes the case's place.
 ///
 /// Domain:     a case for which `fails` is true.
 /// Returns:    a failing case of whose candidates none fails, or the smallest one found within
-///             `budget` evaluations.
-Shrunk Shrink(const Case& failing, const std::function<bool(const Case&)>& fails,
-              std::uint64_t budget = 2000);
+///             `budget` evaluations and before `fails` ended it.
+Shrunk Shrink(const Case& failing, const FailsOrEnd& fails, std::uint64_t budget = 2000);
 
 }  // namespace rasterproof::props
 

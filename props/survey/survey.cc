@@ -256,10 +256,10 @@ class Surveying {
       hung_ = hung_ || look.end.stop == Stop::kHung;
       Note(Fault::kEnd, given);
     }
-    const bool is_slow = look.end.stop == Stop::kTooSlow || look.end.stop == Stop::kDeadline;
-    stops_ += look.Ended() || is_slow ? 1 : 0;
+    const bool is_limited = IsALimit(look.end.stop);
+    stops_ += look.Ended() || is_limited ? 1 : 0;
     survey_.refused += look.end.stop == Stop::kRefused ? 1 : 0;
-    const bool is_unjudged = !look.is_judged || is_slow || look.end.stop == Stop::kNotDrawable;
+    const bool is_unjudged = !look.is_judged || is_limited || look.end.stop == Stop::kNotDrawable;
     survey_.unjudged += is_unjudged ? 1 : 0;
   }
 

@@ -50,7 +50,7 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
   if (const auto rest = AfterHead(line, word, id)) return *rest;
   if (const auto reason = AfterHead(line, "fault", id)) BreakDown(std::string(*reason));
   if (const auto reason = AfterHead(line, "no-memory", id)) {
-    throw SubjectStop(Stop::kTooSlow, std::string(*reason));
+    throw SubjectStop(Stop::kOutOfMemory, std::string(*reason));
   }
   if (const auto reason = AfterHead(line, "refused", id)) {
     const InputError refusal("subject " + subject, "it refused the scene: " + std::string(*reason),

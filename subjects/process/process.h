@@ -40,7 +40,7 @@ struct ProcessLimits {
 /// that takes longer makes later batches smaller, and one without an answer is sent in parts.
 ///
 /// A process that ended is asked the same once more, on a fresh process without the limit on
-/// memory: if it takes more than the limit, that is kTooSlow, and the limit is named. A user's
+/// memory: if it takes more than the limit, that is kOutOfMemory, and the limit is named. A user's
 /// program may end with status 0 between two answers; what it was asked meanwhile goes to a fresh
 /// process.
 class ProcessSubject final : public Subject {

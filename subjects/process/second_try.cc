@@ -193,8 +193,8 @@ void ProcessSubject::BlameMemory(std::span<const DrawJob> jobs, Call& call) {
   const std::string without =
       is_memory ? "takes more: raise the limit, or give 0 for none"
                 : "gave no answer in " + SecondsText(most) + ": raise --time-limit as well";
-  end = {Stop::kTooSlow, end.why + ", under --memory-limit (now " + GibibytesText(limits_.bytes) +
-                             "); without it it " + without};
+  end = {Stop::kOutOfMemory, end.why + ", under --memory-limit (now " +
+                                 GibibytesText(limits_.bytes) + "); without it it " + without};
 }
 
 }  // namespace rasterproof::subjects

@@ -66,7 +66,7 @@ CallEnd EndHere(const std::function<void()>& call) {
   try {
     return EndOf(call);
   } catch (const std::bad_alloc&) {
-    return {Stop::kTooSlow, OutOfMemoryText()};
+    return {Stop::kOutOfMemory, OutOfMemoryText()};
   } catch (const std::exception& error) {
     return {Stop::kBrokeDown, error.what()};
   }
@@ -77,11 +77,12 @@ std::string_view EndWord(Stop stop) {
     case Stop::kRefused:
     case Stop::kNotDrawable:
       return "refused ";
-    case Stop::kTooSlow:
+    case Stop::kOutOfMemory:
       return "no-memory ";
     case Stop::kNone:
     case Stop::kBrokeDown:
     case Stop::kHung:
+    case Stop::kTooSlow:
     case Stop::kDeadline:
       break;
   }

@@ -121,7 +121,7 @@ TEST(ALongList, IsDrawnInOneOf32Cases) {
       });
   for (std::uint64_t k = 0; k < 32; ++k) {
     Case c = OneTriangle(subject.Info());
-    c.origin = "grids:" + std::to_string(k) + "@1";
+    c.name = CaseName{"grids", k, 1};
     RunCase(subject, LongList(), c);
   }
   EXPECT_EQ(longest, 1U);

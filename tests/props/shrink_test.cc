@@ -126,6 +126,17 @@ TEST(Shrink, EvaluatesOnlyWhatIsStrictlySimplerThanWhatFailedLast) {
   EXPECT_LT(last, CostOf(c));
 }
 
+TEST(Shrink, EndsWhereItIsNotSaidWhetherACandidateFails) {
+  const Case c = Draw("fans", 2);
+  std::uint64_t calls = 0;
+  const auto said_twice = [&](const Case&) -> std::optional<bool> {
+    if (++calls > 2) return std::nullopt;
+    return true;
+  };
+  EXPECT_EQ(Shrink(c, said_twice).evaluations, 3U);
+  EXPECT_EQ(calls, 3U);
+}
+
 TEST(Shrink, LeavesACaseAloneThatFailsOnlyAsItIs) {
   const Case c = Draw("near-edge", 5);
   const Shrunk shrunk = Shrink(c, [](const Case&) { return false; });

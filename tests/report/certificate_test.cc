@@ -201,6 +201,7 @@ TEST(VerdictTest, SaysWhatItDoesNotSpeakFor) {
   EXPECT_EQ(Said(result), result.message + "; " + Reservations(result));
   PropertyResult said = result;
   said.message = "holds where it did not refuse: exercised in 2 of 120 cases, 118 refused";
+  said.message_counts_refused = true;
   EXPECT_TRUE(Reservations(said).starts_with("7 samples not judged")) << "and said once";
   Certificate certificate;
   certificate.tested = {result};

@@ -81,7 +81,7 @@ class Resolved(unittest.TestCase):
                 masks[ending] = file.read()
         names = {}
         exec(masks["py"], names)
-        mask = names["MASK"]
+        mask = [list(row) for row in names["mask"]]
         self.assertEqual((len(mask), {len(row) for row in mask}), (HEIGHT, {WIDTH}))
         self.assertLessEqual({128, 0, 255}, {level for row in mask for level in row})
         self.assertIn(f"constexpr unsigned char kMask[][{WIDTH}] = {{\n", masks["h"])

@@ -38,6 +38,7 @@
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
+#include "tool/shell.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -253,11 +254,11 @@ void ShowExplanation(const ExplainOptions& options, const report::Explanation& e
 
 // The drawing that a case holds beside the canonical model's, at the first sample that no legal
 // model explains.
-int ExplainDrawing(const ExplainOptions& options) {
+int ExplainDrawing(const ExplainOptions& options, io::CaseFile file) {
   LegalOptions asked;
   asked.scene.path = options.choice.path;
   asked.profile = options.choice.profile;
-  const JudgedScene judged = LoadJudgedScene(asked, nullptr);
+  const JudgedScene judged = JudgedSceneOf(asked, std::move(file), nullptr);
   const OneCall drawn = ReadDrawing(asked, judged);
   const legal::JointVerdict found = JudgeDrawing(judged, drawn).verdict;
   const Case c{judged.scene, judged.profile, {}, options.choice.path};
@@ -299,8 +300,9 @@ int ExplainDrawing(const ExplainOptions& options) {
 
 int RunExplain(const ExplainOptions& options) {
   RequireHonestEnvironment();
-  if (options.as.empty() && HoldsADrawing(options.choice)) return ExplainDrawing(options);
-  const LoadedCase loaded = LoadCase(options.choice, "explain");
+  LoadedCase loaded = options.as.empty() ? LoadCaseOrDrawing(options.choice, "explain")
+                                         : LoadCase(options.choice, "explain");
+  if (loaded.drawing) return ExplainDrawing(options, *std::move(loaded.drawing));
   const bool chosen = options.x >= 0 || options.y >= 0;
   const Verdict verdict = Judge(loaded);
   if (!options.as.empty()) {

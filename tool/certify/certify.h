@@ -83,8 +83,6 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress);
 /// for the others no more than `pace` leaves of its time limit.
 void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate,
                 props::Pace& pace);
-/// Whether it is such a row.
-bool IsOfAScene(const PropertyResult& result);
 
 /// Where results of properties come from: every case is run, or those of a shard or a range, or
 /// parts that were run elsewhere are put together.

@@ -76,6 +76,7 @@ void SetReason(const SubjectStop& end, Attempt& attempt) {
       attempt.reason = "the subject failed: " + why;
       return;
     case Stop::kTooSlow:
+    case Stop::kOutOfMemory:
     case Stop::kDeadline:
       attempt.outcome = Outcome::kInconclusive;
       attempt.reason = "not judged: " + why;
@@ -172,14 +173,13 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
   return result;
 }
 
-constexpr const char* kJointProperty = "OneLegalModelExplainsTheMesh";
-
 // Whether one legal model explains what one call shows of the scene.
 PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measured,
                             const OneCall& call) {
-  const props::Property& property = *props::FindProperty(kJointProperty);
+  const props::Property& property = *props::FindProperty("OneLegalModelExplainsTheMesh");
   const Scene& scene = measured.scene();
   PropertyResult result = ResultOn(measured, info, property);
+  result.is_of_a_scene = true;
   result.outcome = Outcome::kNotApplicable;
   if (const auto why = props::DoesNotApply(property.gate, {info})) {
     result.message = *why;
@@ -291,10 +291,6 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
         LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height})));
   }
   return scenes;
-}
-
-bool IsOfAScene(const PropertyResult& result) {
-  return result.property.starts_with(std::string(kJointProperty) + " on ");
 }
 
 void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& certificate,

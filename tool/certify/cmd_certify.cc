@@ -176,7 +176,7 @@ std::string LegalScenes(const report::Certificate& certificate) {
   std::uint64_t judged = 0;
   std::uint64_t legal = 0;
   for (const PropertyResult& result : certificate.tested) {
-    if (!IsOfAScene(result)) continue;
+    if (!result.is_of_a_scene) continue;
     if (result.outcome == Outcome::kHolds) ++legal;
     if (result.outcome == Outcome::kHolds || result.outcome == Outcome::kViolated) ++judged;
   }
@@ -238,8 +238,8 @@ std::string Remarks(const report::Certificate& certificate) {
   for (const report::Evidence& one : report::Exhausted(certificate)) {
     add("exhausted: " + one.statement + ": " + one.by);
   }
-  for (const report::Evidence& evidence : report::NotApplicable(certificate)) {
-    if (evidence.statement.starts_with("scene ")) add(evidence.statement + ": " + evidence.by);
+  for (const report::Evidence& evidence : report::ScenesNotDrawn(certificate)) {
+    add(evidence.statement + ": " + evidence.by);
   }
   const std::string not_asked = report::NotAskedText(certificate.not_asked);
   if (!not_asked.empty()) add("not asked: " + not_asked);

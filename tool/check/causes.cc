@@ -4,10 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "core/error.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "props/domains/case_name.h"
 #include "props/run/property_domains.h"
 
 namespace rasterproof::tool {
@@ -74,8 +72,7 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
 }  // namespace
 
 bool IsWrong(const Verdict& verdict) {
-  return verdict.outcome == Outcome::kViolated &&
-         !verdict.message.starts_with("the subject failed: ");
+  return verdict.outcome == Outcome::kViolated && !verdict.broke_down;
 }
 
 std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
@@ -85,12 +82,7 @@ std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
   if (!IsWrong(found.verdict)) return std::nullopt;
   props::FailedProperty failure{props::FindProperty(result.property), {found.value}};
   if (failure.property == nullptr) return std::nullopt;
-  if (!found.failing_case.empty()) {
-    try {
-      failure.cases.push_back(props::DrawCase(subject, props::ParseCaseName(found.failing_case)));
-    } catch (const InputError&) {  // a case of other kinds of names: the shrunken one is enough
-    }
-  }
+  if (found.value.name) failure.cases.push_back(props::DrawCase(subject, *found.value.name));
   return failure;
 }
 

@@ -7,17 +7,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "fmt/format.h"
-#include "fmt/ranges.h"
 #include "io/case_file.h"
 #include "io/image.h"
 #include "io/netpbm.h"
 #include "io/output.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
+#include "report/case_code.h"
 #include "report/json_writer.h"
 #include "report/palette.h"
 #include "report/picture.h"
@@ -144,28 +145,25 @@ io::Image MaskOf(const legal::Decided& decided) {
 
 // The mask as an array of a test's language, by the ending of its file; nothing for a picture.
 std::optional<std::string> MaskAsCode(const std::string& path, const io::Image& mask) {
-  struct Form {
-    std::string_view ending, comment, begin, open, close, end;
-  };
-  constexpr std::string_view kCpp = "constexpr unsigned char kMask[][{}] = {{\n";
-  constexpr std::array<Form, 4> kForms{
-      Form{".h", "// ", kCpp, "{", "}", "};\n"}, Form{".hpp", "// ", kCpp, "{", "}", "};\n"},
-      Form{".ts", "// ", "export const mask: number[][] = [\n", "[", "]", "];\n"},
-      Form{".py", "# ", "MASK = [\n", "[", "]", "]\n"}};
-  const auto form =
-      std::ranges::find_if(kForms, [&](const Form& known) { return path.ends_with(known.ending); });
-  if (form == kForms.end()) return std::nullopt;
-  std::string text = fmt::format(
-      "{}255: every legal picture covers it; 0: none does; 128: legal pictures differ\n",
-      form->comment);
-  text += fmt::format(fmt::runtime(form->begin), mask.width);
-  for (int row = 0; row < mask.height; ++row) {
-    std::vector<int> levels;
-    for (int column = 0; column < mask.width; ++column)
-      levels.push_back(mask.pixels[static_cast<std::size_t>(row * mask.width + column)][0]);
-    text += fmt::format("    {}{}{},\n", form->open, fmt::join(levels, ", "), form->close);
-  }
-  return text + std::string(form->end);
+  using report::CodeLanguage;
+  constexpr auto kEndings =
+      std::to_array<std::pair<std::string_view, CodeLanguage>>({{".h", CodeLanguage::kCpp},
+                                                                {".hpp", CodeLanguage::kCpp},
+                                                                {".ts", CodeLanguage::kTypescript},
+                                                                {".py", CodeLanguage::kPython}});
+  const auto found = std::ranges::find_if(
+      kEndings, [&](const auto& known) { return path.ends_with(known.first); });
+  if (found == kEndings.end()) return std::nullopt;
+  const auto columns = static_cast<std::size_t>(mask.width);
+  std::vector<report::CodeRow> rows(static_cast<std::size_t>(mask.height));
+  for (std::size_t s = 0; s < mask.pixels.size(); ++s)
+    rows[s / columns].push_back(std::to_string(mask.pixels[s][0]));
+  const CodeLanguage language = found->second;
+  return fmt::format(
+      "{}255: every legal picture covers it; 0: none does; 128: legal pictures "
+      "differ\n{}{}",
+      report::CommentOf(language), language == CodeLanguage::kTypescript ? "export " : "",
+      report::ArrayAsCode(language, "mask", "unsigned char", columns, rows));
 }
 
 // The picture that the options ask for.

@@ -276,7 +276,10 @@ InputError NotOneDrawing() {
 }
 
 JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject) {
-  io::CaseFile file = LoadCaseOrScene(options.scene);
+  return JudgedSceneOf(options, LoadCaseOrScene(options.scene), subject);
+}
+
+JudgedScene JudgedSceneOf(const LegalOptions& options, io::CaseFile file, const Subject* subject) {
   if (file.value.options.cull != Cull::kNone || file.value.options.scissor) {
     throw InputError(options.scene.path, "the case culls or has a scissor",
                      "'rasterproof replay' judges it; this verb judges whole drawings");

@@ -52,6 +52,8 @@ InputError NotOneDrawing();
 /// Error:      InputError if there is no drawing, none of them states a profile, the subject
 ///             does not take the scene, or the joint verdict is not for this scene and profile.
 JudgedScene LoadJudgedScene(const LegalOptions& options, const Subject* subject);
+/// The same of a case that was read from the options' file.
+JudgedScene JudgedSceneOf(const LegalOptions& options, io::CaseFile file, const Subject* subject);
 
 /// Reads the image that the options name, and its facings; without an image, the case's drawing.
 OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged);

@@ -241,7 +241,7 @@ const Drawing* SweepRunner::BaseDrawing(std::size_t number_of_case) const {
 }
 
 std::string SweepRunner::WhyStopped(const CallEnd& end) const {
-  if (end.stop == Stop::kBrokeDown) return end.why;
+  if (end.stop == Stop::kBrokeDown || end.stop == Stop::kOutOfMemory) return end.why;
   if (end.stop != Stop::kDeadline) {
     return fmt::format("no answer within --time-limit {:g}", settings_.seconds);
   }

@@ -1,19 +1,19 @@
 // On a target of more than 2^24 samples rectangles of whole pixels are covered once, and nothing
 // else is: as on a small one.
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
+#include "core/case.h"
 #include "core/coverage.h"
 #include "core/scene.h"
 #include "core/subject_info.h"
+#include "model/snap_scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"
@@ -28,8 +28,8 @@ namespace large_target_is_covered_like_a_small_one {
 constexpr int kSide = 4097;
 
 // Drawn cases of these numbers, of 1000 each, are drawn so: two of a run with the default number.
-constexpr std::size_t kOneIn = 1000;
-constexpr std::array<std::size_t, 2> kTurns{0, 500};
+constexpr std::uint64_t kOneIn = 1000;
+constexpr std::array<std::uint64_t, 2> kTurns{0, 500};
 
 // Width or height is even and the other odd: no diagonal then passes through the middle of a pixel.
 using Rectangles = std::array<PixelRect, 6>;
@@ -53,14 +53,10 @@ constexpr std::array<Rectangles, 2> kScenes{{
 // Which of the scenes this case stands for; none for most. A case that no domain drew, as one from
 // a file, stands for all. Answers of another process cost twice as much as the others', and are
 // asked for once.
-std::vector<std::size_t> TurnsOf(const std::string& origin, bool is_outside) {
-  const std::size_t colon = origin.find(':');
-  if (colon == origin.npos) return {0, 1};
-  std::size_t index = 0;
-  const char* const end = origin.data() + origin.size();
-  if (std::from_chars(origin.data() + colon + 1, end, index).ec != std::errc{}) return {0, 1};
+std::vector<std::size_t> TurnsOf(const std::optional<CaseName>& name, bool is_outside) {
+  if (!name) return {0, 1};
   for (std::size_t k = 0; k < kTurns.size(); ++k) {
-    if (index % kOneIn == kTurns[k] && (k == 0 || !is_outside)) return {k};
+    if (name->index % kOneIn == kTurns[k] && (k == 0 || !is_outside)) return {k};
   }
   return {};
 }
@@ -171,7 +167,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
     return NotDecided("its limits do not hold a target of more than 2^24 samples");
   }
   Checks asked;
-  for (const std::size_t turn : TurnsOf(c.origin, subject.has_twin)) {
+  for (const std::size_t turn : TurnsOf(c.name, subject.has_twin)) {
     Scene scene = SceneOf(c, kScenes[turn], shift);
     if (!Takes(subject.info, scene) || !WithinLimits(scene, c.profile) ||
         !IsUnwrapped(scene, c.profile) || !IsUnclipped(scene, c.profile)) {

@@ -2,15 +2,15 @@
 // primitive ids that are as much larger as the list is long.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
+#include "core/case.h"
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/scene.h"
@@ -29,20 +29,16 @@ namespace long_list_draws_like_its_end {
 
 constexpr std::array<std::size_t, 3> kShortLengths{1, 255, 256};
 // One in so many drawn cases is drawn after the longest list, in every domain another one.
-constexpr std::size_t kOneLongIn = 32;
+constexpr std::uint64_t kOneLongIn = 32;
 // So many pixels beyond the target nothing reaches it, wherever a vertex may be put.
 constexpr double kAway = 8;
 
 // Whether this case is one of the few. A case that no domain drew is.
-bool IsLong(const std::string& origin) {
-  const std::size_t colon = origin.find(':');
-  if (colon == origin.npos) return true;
-  std::size_t index = 0;
-  const char* const end = origin.data() + origin.size();
-  if (std::from_chars(origin.data() + colon + 1, end, index).ec != std::errc{}) return true;
-  std::size_t turn = 0;
-  for (std::size_t k = 0; k < colon; ++k) turn += static_cast<unsigned char>(origin[k]);
-  return index % kOneLongIn == turn % kOneLongIn;
+bool IsLong(const std::optional<CaseName>& name) {
+  if (!name) return true;
+  std::uint64_t turn = 0;
+  for (const char letter : name->domain) turn += static_cast<unsigned char>(letter);
+  return name->index % kOneLongIn == turn % kOneLongIn;
 }
 
 // The numbers of triangles before the mesh. The longest is odd: a float that can't hold its odd
@@ -52,7 +48,7 @@ std::vector<std::size_t> LengthsFor(const PlacedCase& c, const SubjectInfo& info
   for (const std::size_t length : kShortLengths) {
     if (length < info.list_length) lengths.push_back(length);
   }
-  if (IsLong(c.origin)) lengths.push_back(info.list_length | 1);
+  if (IsLong(c.name)) lengths.push_back(info.list_length | 1);
   return lengths;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/elementary.h"
+
 namespace rasterproof {
 namespace {
 
@@ -21,8 +23,8 @@ double SegmentDistance(Point2 a, Point2 b, Point2 p) {
   const double py = p.y - a.y;
   const double along = px * dx + py * dy;
   const double length_2 = dx * dx + dy * dy;
-  if (along <= 0 || length_2 == 0) return std::hypot(px, py);
-  if (along >= length_2) return std::hypot(p.x - b.x, p.y - b.y);
+  if (along <= 0 || length_2 == 0) return Hypot(px, py);
+  if (along >= length_2) return Hypot(p.x - b.x, p.y - b.y);
   return std::abs(DifferenceOfProducts(px, dy, py, dx)) / std::sqrt(length_2);
 }
 

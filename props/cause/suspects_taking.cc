@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "exact/edge.h"
 #include "props/cause/suspect.h"
 
@@ -138,7 +139,7 @@ double Thickness(const SuspectTriangle& t) {
   double longest = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2 a = t.v[i], b = t.v[(i + 1) % 3];
-    longest = std::max(longest, std::hypot(b.x - a.x, b.y - a.y));
+    longest = std::max(longest, Hypot(b.x - a.x, b.y - a.y));
   }
   return longest == 0 ? 0 : std::fabs(AreaOf(t.v)) / longest;
 }

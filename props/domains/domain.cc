@@ -13,7 +13,7 @@ namespace rasterproof::props {
 namespace {
 
 // The number that the next new domain gets. None is given twice: it is part of what names a case.
-constexpr std::uint16_t kNextNumber = 96;
+constexpr std::uint16_t kNextNumber = 104;
 
 // In the order in which they are listed.
 constexpr std::array kDomains{
@@ -219,7 +219,7 @@ constexpr std::array kDomains{
            .summary = "w -> 0, w == 0, and both signs of w in one triangle",
            .clip = true,
            .draw = MixedW},
-    Domain{.number = 42,
+    Domain{.number = 96,
            .name = "closed-around-eye",
            .summary = "a closed surface around the eye, or cut by the plane of the eye",
            .clip = true,
@@ -273,7 +273,7 @@ constexpr std::array kDomains{
            .summary = "triangles off the grid that stay inside when moved, and exact in float32",
            .is_stated = [](const Profile& p) { return p.translation_invariant; },
            .draw = OffGridMoves},
-    Domain{.number = 73,
+    Domain{.number = 98,
            .name = "off-grid-fragments",
            .summary = "small triangles, fans and quads whose corners lie between grid points",
            .draw = OffGridFragments},
@@ -282,7 +282,7 @@ constexpr std::array kDomains{
            .summary = "ties of the snap on the largest targets of each model, and on larger ones",
            .is_stated = [](const Profile& p) { return !p.by_target_size.empty(); },
            .draw = TargetSizeEnds},
-    Domain{.number = 54,
+    Domain{.number = 99,
            .name = "least-areas",
            .summary = "slivers of every length, as thin as the lattice allows, around a sample",
            .near_edge = true,
@@ -350,7 +350,7 @@ constexpr std::array kDomains{
            .clip = true,
            .mesh = true,
            .draw = PerspectiveMeshes},
-    Domain{.number = 47,
+    Domain{.number = 97,
            .name = "meshes-around-eye",
            .summary = "closed around the eye, or open, and no triangle hides another",
            .clip = true,
@@ -361,12 +361,12 @@ constexpr std::array kDomains{
            .summary = "edges as wide as the stated range, targets of up to 4096 a side",
            .mesh = true,
            .draw = FarSides},
-    Domain{.number = 71,
+    Domain{.number = 100,
            .name = "every-size",
            .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
            .mesh = true,
            .draw = EverySize},
-    Domain{.number = 74,
+    Domain{.number = 101,
            .name = "tilted-grids",
            .summary = "grids turned by Pythagorean angles, exactly or rounded, and by small ones",
            .near_edge = true,
@@ -396,7 +396,7 @@ constexpr std::array kDomains{
            .summary = "polygons cut into ears, their holes joined by bridges of repeated vertices",
            .mesh = true,
            .draw = EarcutMeshes},
-    Domain{.number = 80,
+    Domain{.number = 102,
            .name = "cameras",
            .summary = "grids seen by cameras: float matrices, any depth range, 20 to 179 degrees",
            .clip = true,
@@ -420,7 +420,7 @@ constexpr std::array kDomains{
            .name = "coplanar-depths",
            .summary = "layers of one plane or an ulp off it, their z in [0, 1] and far outside",
            .draw = CoplanarDepths},
-    Domain{.number = 85,
+    Domain{.number = 103,
            .name = "frame-sweeps",
            .summary = "a fan frame after frame: 1/256 pixel on, a lattice step on, turned a little",
            .near_edge = true,

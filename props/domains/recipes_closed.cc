@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/hardest_ray.h"
 #include "props/domains/recipes.h"
@@ -65,8 +66,8 @@ void AddTriangles(CaseBuilder& builder, const Surface& surface) {
 std::array<double, 3> AroundOrigin(std::int32_t v, const Surface& surface) {
   if (v == 0) return {0, -1, 0.1};
   if (v == 1) return {0, 1, 0.1};
-  const double turn = 2 * std::acos(-1.0) * (v - 2) / std::max(1, surface.vertices - 2);
-  return {std::cos(turn), 0.1 * std::sin(3 * turn), std::sin(turn)};
+  const double turn = 2.0 * (v - 2) / std::max(1, surface.vertices - 2);
+  return {CosPi(turn), 0.1 * SinPi(3 * turn), SinPi(turn)};
 }
 
 // The clip-space vertex that projects to the window place p, with this w.
@@ -150,12 +151,14 @@ Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
   const double focal = std::ldexp(1.0, static_cast<int>(bits.Int(1, 5)));
   // Turned about the upright axis, and each vertex as far away as it likes: seen from the origin,
   // every triangle faces the same way and none hides another.
-  const double turn = builder.Uniform(0, 2 * std::acos(-1.0));
+  const double turn = builder.Uniform(0, 2);
+  const double c = CosPi(turn);
+  const double s = SinPi(turn);
   for (std::int32_t v = 0; v < surface.vertices; ++v) {
     const std::array<double, 3> p = AroundOrigin(v, surface);
     const double distance = std::fabs(builder.LogUniform(-2, 3));
-    const double x = distance * (std::cos(turn) * p[0] - std::sin(turn) * p[2]);
-    const double depth = distance * (std::sin(turn) * p[0] + std::cos(turn) * p[2]);
+    const double x = distance * (c * p[0] - s * p[2]);
+    const double depth = distance * (s * p[0] + c * p[2]);
     const double w = builder.lattice().RoundToFloat(depth);
     builder.AddRaw({focal * x + w * builder.width() / 2,
                     focal * distance * p[1] + w * builder.height() / 2, 0, w});

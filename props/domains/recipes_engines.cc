@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 #include <span>
 #include <vector>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
@@ -76,13 +76,11 @@ class Camera {
 
   // Half of the eyes are at the origin, as where an engine draws relative to the camera.
   void TurnAndMove() {
-    const double yaw = builder_.Uniform(-1, 1) * std::numbers::pi;
-    const double pitch = builder_.Uniform(-0.45, 0.45) * std::numbers::pi;
-    const Place3 forward{std::cos(pitch) * std::sin(yaw), std::sin(pitch),
-                         -std::cos(pitch) * std::cos(yaw)};
-    const Place3 right{std::cos(yaw), 0, std::sin(yaw)};
-    const Place3 up{-std::sin(pitch) * std::sin(yaw), std::cos(pitch),
-                    std::sin(pitch) * std::cos(yaw)};
+    const double yaw = builder_.Uniform(-1, 1);
+    const double pitch = builder_.Uniform(-0.45, 0.45);
+    const Place3 forward{CosPi(pitch) * SinPi(yaw), SinPi(pitch), -CosPi(pitch) * CosPi(yaw)};
+    const Place3 right{CosPi(yaw), 0, SinPi(yaw)};
+    const Place3 up{-SinPi(pitch) * SinPi(yaw), CosPi(pitch), SinPi(pitch) * CosPi(yaw)};
     if (builder_.bits().Chance(128)) {
       for (double& x : eye_) x = Rounded(builder_.LogUniform(-2, 10));
     }
@@ -97,7 +95,7 @@ class Camera {
     const double degrees =
         builder_.bits().Chance(64) ? builder_.Uniform(120, 179) : builder_.Uniform(20, 110);
     const double scale = std::fabs(builder_.LogUniform(-16, 0));
-    const double focal = is_orthographic_ ? scale : 1 / std::tan(degrees / 360 * std::numbers::pi);
+    const double focal = is_orthographic_ ? scale : CosPi(degrees / 360) / SinPi(degrees / 360);
     focal_ = {focal * builder_.height() / builder_.width(), focal};
     const std::int64_t kind = builder_.bits().Int(0, 2);
     if (kind == 1) {  // jitter within a pixel, sixteenths as most sequences have them
@@ -197,11 +195,7 @@ Point2 DrawOnEdge(CaseBuilder& builder, const PlanarMesh& mesh) {
   return {a.x + along * (b.x - a.x), a.y + along * (b.y - a.y)};
 }
 
-// Cosine and sine to 2^-40, where math libraries agree.
-Point2 Turn(double angle) {
-  const auto rounded = [](double x) { return std::nearbyint(x * 0x1p40) * 0x1p-40; };
-  return {rounded(std::cos(angle)), rounded(std::sin(angle))};
-}
+Point2 Turn(double half_turns) { return {CosPi(half_turns), SinPi(half_turns)}; }
 
 constexpr int kFrameSide = 12;   // of a frame's part of the target
 constexpr int kFrameMiddle = 5;  // the pixel that the hub is in
@@ -213,7 +207,7 @@ std::vector<Point2> DrawFan(CaseBuilder& builder) {
   const bool on_half_pixels = builder.bits().Chance(128);
   std::vector<Point2> fan{{0, 0}};
   for (std::int32_t k = 0; k < rim; ++k) {
-    const double turn = 2 * std::numbers::pi * (k + builder.Uniform(0, 0.4)) / rim;
+    const double turn = 2 * (k + builder.Uniform(0, 0.4)) / rim;
     const double radius = builder.Uniform(2.5, 4.5);
     const Point2 toward = Turn(turn);
     const Point2 p{radius * toward.x, radius * toward.y};
@@ -306,14 +300,14 @@ Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
   const auto dy = bits.Int(-2, 2);
   if (dx == 0 && dy == 0) dx = 1;
   const double sign = builder.Sign();
-  const double angle = std::ldexp(sign, -static_cast<int>(bits.Int(7, 22)));
+  const double half_turns = std::ldexp(sign, -static_cast<int>(bits.Int(9, 24)));
   const auto still = static_cast<int>(bits.Int(0, frames - 1));  // its hub is on a sample
   PlanarMesh mesh;
   for (int frame = 0; frame < frames; ++frame) {
     const int t = frame - still;
     const Point2 hub = builder.profile().pattern.At(
         frame * engines::kFrameSide + engines::kFrameMiddle, engines::kFrameMiddle, sample);
-    const auto [c, s] = kind == 0 ? engines::Turn(t * angle) : Point2{1, 0};
+    const auto [c, s] = kind == 0 ? engines::Turn(t * half_turns) : Point2{1, 0};
     const double pixels = kind == 1 ? t / 256.0 : 0;
     const std::int32_t first = static_cast<std::int32_t>(mesh.vertices.size());
     for (const Point2 p : fan) {

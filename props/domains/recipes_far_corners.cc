@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/elementary.h"
 #include "exact/coverage.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/recipes.h"
@@ -113,7 +114,7 @@ class FarPair {
   }
 
   Point2 Beside(double side, double across, double along) const {
-    const double length = std::hypot(along_.x, along_.y);
+    const double length = Hypot(along_.x, along_.y);
     const Point2 unit{along_.x / length, along_.y / length};
     return {at_.x + along * unit.x - side * across * unit.y,
             at_.y + along * unit.y + side * across * unit.x};

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/planar_mesh.h"
 #include "props/domains/recipes.h"
@@ -23,10 +23,8 @@ void AddMesh(CaseBuilder& builder, const PlanarMesh& mesh) {
 }
 
 Point2 Towards(Point2 from, double turn, double distance) {
-  return {from.x + std::cos(turn) * distance, from.y + std::sin(turn) * distance};
+  return {from.x + CosPi(turn) * distance, from.y + SinPi(turn) * distance};
 }
-
-double DrawTurn(CaseBuilder& builder) { return builder.Uniform(-1, 1) * std::numbers::pi; }
 
 // Around samples, down to a few steps of a grid of eight bits, and as flat as it comes.
 void AddSmallTriangles(CaseBuilder& builder) {
@@ -34,11 +32,11 @@ void AddSmallTriangles(CaseBuilder& builder) {
   const std::int64_t triangles = builder.bits().Int(1, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
     const Point2 p = builder.Sample();
-    double turn = DrawTurn(builder);
+    double turn = builder.Uniform(-1, 1);
     std::array<std::int32_t, 3> corners{};
     for (std::int32_t& corner : corners) {
       corner = AddOffGrid(builder, Towards(p, turn, std::fabs(builder.LogUniform(kLeast, 0))));
-      turn += builder.Uniform(1.5, 2.6);  // less than half a turn, three of them more than one
+      turn += builder.Uniform(0.48, 0.82);  // less than half a turn, three of them more than one
     }
     builder.AddTriangle(corners[0], corners[1], corners[2]);
   }
@@ -50,9 +48,9 @@ PlanarMesh DrawFan(CaseBuilder& builder) {
   const Point2 hub = builder.Place();
   mesh.AddVertex(hub);
   const auto rim = static_cast<std::int32_t>(builder.bits().Int(5, 64));
-  const double first = DrawTurn(builder);
+  const double first = builder.Uniform(-1, 1);
   for (std::int32_t k = 0; k < rim; ++k) {
-    const double turn = first + 2 * std::numbers::pi * (k + builder.Uniform(0, 0.5)) / rim;
+    const double turn = first + 2 * (k + builder.Uniform(0, 0.5)) / rim;
     mesh.AddVertex(Towards(hub, turn, builder.Uniform(2, 24)));
     mesh.triangles.push_back({0, 1 + k, 1 + (k + 1) % rim});
   }

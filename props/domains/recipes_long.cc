@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
@@ -26,7 +27,7 @@ Case LeastAreas(BitSource& bits, const SubjectInfo& info) {
     const double x = builder.LogUniform(0, most);
     const Point2 end{builder.lattice().RoundWithinLimit(p.x + x),
                      builder.lattice().RoundWithinLimit(p.y + builder.LogUniform(0, most))};
-    const double times = std::exp2(builder.Uniform(-3, 1));
+    const double times = Exp2(builder.Uniform(-3, 1));
     const Point2 far{p.x - times * (end.x - p.x), p.y - times * (end.y - p.y)};
     const Point2 third = bits.Chance(192) ? p : Nudged(builder, p, 2);
     builder.AddTriangle({end, Hardest(builder, far, end, p), third});

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/recipes.h"
@@ -56,7 +57,7 @@ Case Needles(BitSource& bits, const SubjectInfo& info) {
     double dx = builder.Uniform(-1, 1);
     const double dy = builder.Uniform(-1, 1);
     if (dx == 0 && dy == 0) dx = 1;
-    const double norm = std::hypot(dx, dy);
+    const double norm = Hypot(dx, dy);
     const double ahead = std::fabs(builder.LogUniform(2, most - 1)) / norm;
     const double behind = std::fabs(builder.LogUniform(2, most - 1)) / norm;
     const double wide = builder.LogUniform(-20, -1) / norm;

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <vector>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
@@ -147,8 +147,8 @@ PlanarMesh DrawSizedFan(CaseBuilder& builder, double size) {
 // from some size on, they go different ways.
 PlanarMesh DrawUnequalNeighbours(CaseBuilder& builder, double size) {
   const Point2 p = builder.bits().Chance(128) ? builder.Sample() : builder.Place();
-  const double turn = builder.Uniform(-1, 1) * std::numbers::pi;
-  const Point2 along{std::cos(turn) * size, std::sin(turn) * size};
+  const double turn = builder.Uniform(-1, 1);
+  const Point2 along{CosPi(turn) * size, SinPi(turn) * size};
   const double before = builder.Uniform(0.25, 1);
   const double behind = builder.Uniform(0.25, 1);
   const Point2 a = OnLattice(builder, {p.x - before * along.x, p.y - before * along.y});
@@ -178,7 +178,7 @@ Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
   const Point2 d{b.x - a.x, b.y - a.y};
   // Two more corners, at least two pixels to either side of the diagonal.
   const auto beside = [&](double sign) {
-    const double length = std::max(1.0, std::hypot(d.x, d.y));
+    const double length = std::max(1.0, Hypot(d.x, d.y));
     const double off = sign * builder.Uniform(2, 24) / length;
     const double along = builder.Uniform(-0.25, 1.25);
     return OnLattice(builder, {a.x + along * d.x - off * d.y, a.y + along * d.y + off * d.x});

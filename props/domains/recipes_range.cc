@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/elementary.h"
 #include "core/ulp.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
@@ -156,7 +157,7 @@ void AddDecidingTies(CaseBuilder& builder) {
   // snap that agree elsewhere part.
   const auto grid_place = [&] {
     const auto most = static_cast<double>(subpixel_bits + 5);
-    const double cells = std::floor(std::exp2(builder.Uniform(0, most))) - 1;
+    const double cells = std::floor(Exp2(builder.Uniform(0, most))) - 1;
     return builder.Sign() * std::ldexp(cells, -subpixel_bits);
   };
   // Half way to the next grid place, or a few ulps beside.

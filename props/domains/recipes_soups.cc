@@ -1,12 +1,12 @@
 // Triangles that are no mesh, or two meshes that ought to be one: cracks, soups, coincident layers.
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
@@ -24,7 +24,7 @@ struct PatchEdge {
 
 // A line through a sample that is on the lattice may be that sample alone: it has no direction, and
 // nothing is displaced from it.
-double LengthOf(Point2 d) { return d == Point2{} ? 1 : std::hypot(d.x, d.y); }
+double LengthOf(Point2 d) { return d == Point2{} ? 1 : Hypot(d.x, d.y); }
 
 Point2 PlaceOn(const CaseBuilder& builder, const PatchEdge& edge, std::int64_t part) {
   const double t = static_cast<double>(part) / static_cast<double>(edge.parts);

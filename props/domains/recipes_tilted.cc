@@ -1,11 +1,11 @@
 // Grids turned by some angle, and needles along the diagonals of samples: edges that pass many
 // samples exactly or as nearly as the lattice allows.
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 
+#include "core/elementary.h"
 #include "props/domains/case_builder.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
@@ -31,9 +31,9 @@ Point2 DrawCellSide(CaseBuilder& builder) {
   const Point2 legs = bits.OneOf(std::span<const Point2>(kLegs));
   if (kind == 4) return {legs.x / 2, builder.Sign() * legs.y / 2};
   const double length = static_cast<double>(bits.Int(4, 32)) / 2;
-  const double turn =
-      kind == 5 ? builder.Sign() * std::atan2(legs.y, legs.x) : builder.LogUniform(-12, -3);
-  return {length * std::cos(turn), length * std::sin(turn)};
+  if (kind != 5) return {length, length * builder.LogUniform(-12, -3)};
+  const double times = length / Hypot(legs.x, legs.y);
+  return {times * legs.x, builder.Sign() * times * legs.y};
 }
 
 PlanarMesh DrawTiltedGrid(CaseBuilder& builder, Point2 node, Point2 side) {

@@ -14,6 +14,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/elementary.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
 #include "props/domains/case_builder.h"
@@ -99,7 +100,7 @@ class Turner {
   // A primitive direction, of every length up to a quarter of the target.
   GridVector Direction() {
     const double side = std::min(builder_.width(), builder_.height()) / (4 * step_);
-    const double most = std::max(3.0, std::exp2(builder_.Uniform(0, 1) * std::log2(side + 1)));
+    const double most = std::max(3.0, Exp2(builder_.Uniform(0, 1) * Log2(side + 1)));
     const auto reach = static_cast<std::int64_t>(most);
     GridVector d{bits().Int(-reach, reach), 0};
     d.y = bits().Int(-reach, reach);
@@ -118,7 +119,7 @@ class Turner {
   // Two vertices `before` rows before the sample's own, and one `behind` rows behind it.
   std::array<Point2, 3> Around(Point2 origin, GridVector d, std::int64_t before,
                                std::int64_t behind) {
-    const double length = std::hypot(static_cast<double>(d.x), static_cast<double>(d.y)) * step_;
+    const double length = Hypot(static_cast<double>(d.x), static_cast<double>(d.y)) * step_;
     const double room = std::max(builder_.width(), builder_.height()) / (2 * length);
     const std::int64_t most = std::clamp<std::int64_t>(static_cast<std::int64_t>(room), 1, 4096);
     const std::int64_t m = bits().Int(1, most);

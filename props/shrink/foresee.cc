@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <queue>
@@ -12,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "props/shrink/shrink.h"
 
 namespace rasterproof::props {
@@ -122,7 +122,7 @@ class Experience {
 
 // The decisions about candidates of which nothing is known, in the order in which they come.
 struct Course {
-  double cost = 0;  ///< -log of its probability
+  double cost = 0;  ///< -log2 of its probability
   std::uint64_t number = 0;
   std::vector<bool> fails;
 
@@ -205,9 +205,9 @@ class Foreseeing {
     const bool guess = share > 0.5;
     Course other = course;
     other.number = ++numbered_;
-    other.cost -= std::log(guess ? 1 - share : share);
+    other.cost -= Log2(guess ? 1 - share : share);
     other.fails.push_back(!guess);
-    course.cost -= std::log(guess ? share : 1 - share);
+    course.cost -= Log2(guess ? share : 1 - share);
     course.fails.push_back(guess);
     courses_.push(std::move(other));
     if (course.cost <= courses_.top().cost) return true;

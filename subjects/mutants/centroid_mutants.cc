@@ -2,13 +2,13 @@
 // leave open of it, and what they don't.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/sample_pattern.h"
 #include "subjects/mutants/centroids.h"
 #include "subjects/mutants/mutant.h"
@@ -101,10 +101,10 @@ Point2 NearestToTheCentre(const CentroidQuestion& q) {
   if (IsInside(q.v, centre)) return centre;
   const std::vector<Point2> polygon = CommonPolygon(q);
   Point2 nearest = FirstCovered(q);
-  double least = std::hypot(nearest.x - centre.x, nearest.y - centre.y);
+  double least = Hypot(nearest.x - centre.x, nearest.y - centre.y);
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point2 p = NearestOfSegment(polygon[k], polygon[(k + 1) % polygon.size()], centre);
-    const double distance = std::hypot(p.x - centre.x, p.y - centre.y);
+    const double distance = Hypot(p.x - centre.x, p.y - centre.y);
     if (distance >= least) continue;
     least = distance;
     nearest = p;
@@ -126,7 +126,7 @@ Point2 MiddleOfTheCommonPart(const CentroidQuestion& q) {
 Point2 SubpixelBeyondTheEdge(const CentroidQuestion& q) {
   const Point2 centre = q.Centre();
   const Point2 nearest = NearestToTheCentre(q);
-  const double distance = std::hypot(centre.x - nearest.x, centre.y - nearest.y);
+  const double distance = Hypot(centre.x - nearest.x, centre.y - nearest.y);
   if (distance < 2 * kSubpixel) return nearest;
   const double part = kSubpixel / distance;
   return {nearest.x + part * (centre.x - nearest.x), nearest.y + part * (centre.y - nearest.y)};

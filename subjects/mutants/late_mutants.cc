@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/elementary.h"
 #include "core/snap.h"
 #include "library/exact_sign.h"
 #include "subjects/mutants/mutant.h"
@@ -88,7 +89,7 @@ std::vector<Mutant> OtherOnes() {
       {"late-real-short-edges", "edges shorter than a pixel are evaluated in float32", "",
        RealStages{.sign =
                       [](Point2 a, Point2 b, Point2 p) {
-                        if (std::hypot(b.x - a.x, b.y - a.y) >= 1) {
+                        if (Hypot(b.x - a.x, b.y - a.y) >= 1) {
                           return library::EdgeSign(a, b, p);
                         }
                         const auto f = [](double x) { return static_cast<float>(x); };

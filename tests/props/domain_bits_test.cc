@@ -239,6 +239,14 @@ constexpr auto kGolden = std::to_array<Golden>({
     {93, "least-w", 0xd7427ce52bb2e7d0},
     {94, "eye-planes", 0xd6a7f0e352989e42},
     {95, "near-beside-far", 0xc2b6b4ad8fa55f1f},
+    {96, "closed-around-eye", 0x2dca34b871b0039a},
+    {97, "meshes-around-eye", 0xaa883c3ecb1f2a70},
+    {98, "off-grid-fragments", 0x6bcb625f925c8caa},
+    {99, "least-areas", 0x72f7c7b9484cb03},
+    {100, "every-size", 0x5d18162ac0d222f8},
+    {101, "tilted-grids", 0xdd1e1a31db590f8d},
+    {102, "cameras", 0xc1eeda5302d3ae3a},
+    {103, "frame-sweeps", 0x9aad71cdd65589ab},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

@@ -188,6 +188,15 @@ class DefinitionsTest(unittest.TestCase):
         self.expect({"props/a.cc": switch.format(inner, default)}, said)
         self.expect({"props/a.cc": "int F(int n) { " + inner + " }"})
 
+    def test_a_function_whose_last_bits_are_the_librarys_is_seen(self):
+        said = "the last bits of {} are the library's"
+        for call in ("hypot", "atan2", "exp2", "log", "powf"):
+            body = f"double x = std::{call}(y, 1);\n"
+            self.expect({"props/a.cc": body}, said.format(call))
+            self.expect({"subjects/mutants/a.cc": body.replace("std::", "")}, said.format(call))
+            self.expect({"report/a.cc": body})
+        self.expect({"core/a.cc": "double F(double x) { return std::sqrt(x) + Hypot(x, 1); }"})
+
 
 class PathsTest(unittest.TestCase):
     def expect(self, path, text, said=None):

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/profile.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
@@ -63,7 +64,7 @@ double Thickness(const Polygon& polygon) {
   for (std::size_t k = 0; k < polygon.size(); ++k) {
     const Point2 a = polygon[k];
     const Point2 b = polygon[(k + 1) % polygon.size()];
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = Hypot(b.x - a.x, b.y - a.y);
     if (!(length > 0)) continue;
     double most = 0;
     for (const Point2 p : polygon) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/elementary.h"
 #include "core/profile.h"
 #include "core/snap.h"
 #include "exact/coverage.h"
@@ -207,7 +208,7 @@ bool LeavesBy(const LegalPlaces& places, const Vertex& v, const std::optional<Wi
                   box->Contains(places.high.x, places.high.y) && box->Contains(v.x, v.y));
 }
 
-double Apart(Point2 a, Point2 b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double Apart(Point2 a, Point2 b) { return Hypot(a.x - b.x, a.y - b.y); }
 
 double SegmentDistance(Point2 a, Point2 b, Point2 p) {
   const Point2 d{b.x - a.x, b.y - a.y};

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/elementary.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "props/judging/freedom/free_choices.h"
@@ -30,7 +31,7 @@ double HomogeneousMargin(const Scene& scene, const Vertex& a, const Vertex& b) {
   };
   const double terms = sizes(b.y, a.w, b.w, a.y) * scene.width +
                        sizes(b.w, a.x, b.x, a.w) * scene.height + sizes(b.x, a.y, a.x, b.y);
-  const double length = std::hypot(b.y * a.w - b.w * a.y, b.w * a.x - b.x * a.w);
+  const double length = Hypot(b.y * a.w - b.w * a.y, b.w * a.x - b.x * a.w);
   const double margin = kOutlineMarginPerCoordinate * terms / length;
   return std::isnan(margin) ? std::numeric_limits<double>::infinity() : margin;
 }
@@ -113,7 +114,7 @@ bool Outline::IsNear(Point2 p) const {
   return std::ranges::any_of(edges_,
                              [&](const SeenEdge& e) { return e.seen.Distance(p) <= e.margin; }) ||
          std::ranges::any_of(vertices_, [&](const SeenVertex& v) {
-           return std::hypot(p.x - v.at.x, p.y - v.at.y) <= v.margin;
+           return Hypot(p.x - v.at.x, p.y - v.at.y) <= v.margin;
          });
 }
 

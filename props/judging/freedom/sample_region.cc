@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/clauses/clauses.h"
+#include "core/elementary.h"
 #include "core/profile.h"
 #include "props/judging/freedom/free_choices.h"
 
@@ -32,7 +33,7 @@ double ErrorOf(double largest, double length) {
 // the line. Nothing if a and b are one point.
 std::optional<HalfPlane> Beside(Point2 a, Point2 b, int side, double largest) {
   const Point2 d{b.x - a.x, b.y - a.y};
-  const double length = std::hypot(d.x, d.y);
+  const double length = Hypot(d.x, d.y);
   if (!(length > 0)) return std::nullopt;
   const double sign = side > 0 ? -1 : 1;  // E = (p.x - a.x) d.y - (p.y - a.y) d.x
   return HalfPlane{a, {sign * d.y / length, -sign * d.x / length}, ErrorOf(largest, length)};

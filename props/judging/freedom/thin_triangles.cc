@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "core/elementary.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "model/snap.h"
@@ -85,7 +86,7 @@ std::optional<std::vector<Point2>> Projected(const std::vector<ClipCorner>& part
 }
 
 double Across(Point2 a, Point2 b, Point2 p) {
-  const double length = std::hypot(b.x - a.x, b.y - a.y);
+  const double length = Hypot(b.x - a.x, b.y - a.y);
   return length == 0 ? 0 : ((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length;
 }
 

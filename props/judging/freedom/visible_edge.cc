@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/elementary.h"
+
 namespace rasterproof::props {
 namespace {
 
@@ -62,7 +64,7 @@ double VisibleEdge::Distance(Point2 p) const {
   const double share = (to.x * along_.x + to.y * along_.y) / square;
   double part = share > 0 ? share : 0.0;
   if (!is_ray_) part = std::min(part, 1.0);
-  const double distance = std::hypot(to.x - part * along_.x, to.y - part * along_.y);
+  const double distance = Hypot(to.x - part * along_.x, to.y - part * along_.y);
   return std::isnan(distance) ? 0 : distance;
 }
 

@@ -65,7 +65,7 @@ std::string PlainStyle() {
   return style;
 }
 
-const Kind& KindOf(const BenchMethod& method) {
+const Kind& PointKind(const BenchMethod& method) {
   const auto* const found = std::ranges::find(
       kKinds, method.is_users ? std::string_view("yours") : method.kind, &Kind::name);
   return found == kKinds.end() ? kKinds.front() : *found;
@@ -286,7 +286,7 @@ std::string Panel::Point(const Place& place, std::string_view more) const {
   return fmt::format(
       "<g class=\"point\" transform=\"translate({:.1f} {:.1f})\"{}><title>{}</title>{}{}</g>\n",
       place.x, place.y, more, Escaped(Title(result_, row)), bar,
-      Mark(KindOf(MethodOf(place)), !IsRival(result_, row)));
+      Mark(PointKind(MethodOf(place)), !IsRival(result_, row)));
 }
 
 std::vector<Place> Panel::Named(const std::vector<Place>& places, std::string_view sink,

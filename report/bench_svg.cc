@@ -71,7 +71,7 @@ const Kind& PointKind(const BenchMethod& method) {
   return found == kKinds.end() ? kKinds.front() : *found;
 }
 
-std::string NameOf(const BenchMethod& method) {
+std::string PointName(const BenchMethod& method) {
   return FullName(method) + (method.is_users ? " (yours)" : "");
 }
 
@@ -131,7 +131,7 @@ std::string Title(const BenchResult& result, const BenchRow& row) {
   const std::string remark = RemarkText(result, row);
   return fmt::format(
       "{}: {} of the baseline's time, {} ns a triangle, {} ms a frame at 1080p; {} wrong{}{}",
-      NameOf(result.methods[row.method]), RatioText(row, 3),
+      PointName(result.methods[row.method]), RatioText(row, 3),
       NumberText(NanosecondsATriangle(result, row)),
       NumberText(MillisecondsAFrame(result, row, kFramePixels[0])), WrongText(result, row),
       remark.empty() ? "" : "; ", remark);
@@ -320,7 +320,7 @@ std::string Panel::Labels(const std::vector<Place>& places, const std::vector<Pl
   std::string svg;
   for (std::size_t k = 0; k < named.size(); ++k) {
     const Place& place = named[k];
-    const std::string name = look_.is_large ? NameOf(MethodOf(place)) : std::to_string(k + 1);
+    const std::string name = look_.is_large ? PointName(MethodOf(place)) : std::to_string(k + 1);
     const double width = kLetter * static_cast<double>(name.size()) + 4;
     const Box* const box = FindRoom(place, width, limits, taken);
     if (box == nullptr) continue;
@@ -417,7 +417,7 @@ std::string PointsOf(const BenchResult& result, const Panel& panel,
     std::string point = panel.Point(
         place, fmt::format(" tabindex=\"-1\" role=\"img\" aria-label=\"{}\" data-row=\"{}\" "
                            "data-y=\"{}\"",
-                           Escaped(NameOf(result.methods[place.row->method])),
+                           Escaped(PointName(result.methods[place.row->method])),
                            place.row - result.rows.data(), fmt::join(own, ",")));
     if (!is_on || own[0].empty()) point.replace(point.find("point"), 5, "point off");
     svg += point;

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "fmt/format.h"
+
 namespace rasterproof::report {
 namespace {
 
@@ -85,6 +87,26 @@ RowError ErrorOf(const BenchResult& result, const BenchRow& row, ErrorKind kind)
       return EdgeErrorOf(row);
   }
   return {};
+}
+
+std::string_view ErrorName(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::kReal:
+      return "share wrong, by real geometry";
+    case ErrorKind::kOwn:
+      return "share wrong, by the method's own model";
+    case ErrorKind::kDisplacement:
+      return "farthest wrong sample from the boundary";
+    case ErrorKind::kLeaks:
+      return "leaks along shared edges";
+    case ErrorKind::kEdge:
+      return "largest error of an edge's value";
+  }
+  return "";
+}
+
+bool IsInPixels(ErrorKind kind) {
+  return kind == ErrorKind::kDisplacement || kind == ErrorKind::kEdge;
 }
 
 std::string RatioText(const BenchRow& row, int digits) {

@@ -37,6 +37,11 @@ enum class ErrorKind : std::uint8_t {
 inline constexpr std::array kErrorKinds{ErrorKind::kReal, ErrorKind::kOwn, ErrorKind::kDisplacement,
                                         ErrorKind::kLeaks, ErrorKind::kEdge};
 
+/// "share wrong, by real geometry"
+std::string_view ErrorName(ErrorKind kind);
+/// Whether an error is a distance in pixels; else it is a share.
+bool IsInPixels(ErrorKind kind);
+
 /// An error of a row; smaller lanes are better, and of one lane smaller values.
 struct RowError {
   ErrorLane lane = ErrorLane::kNotJudged;

@@ -306,7 +306,11 @@ std::string BenchToJson(const BenchResult& result) {
   JsonWriter json;
   BenchResult visited = result;  // as readers set what they visit
   BenchWriter(json, result).Write(visited);
-  return json.Finish();
+  std::string text = json.Finish();
+  for (std::size_t at = 0; (at = text.find('<', at)) != std::string::npos; ++at) {
+    text.replace(at, 1, "\\u003c");
+  }
+  return text;
 }
 
 BenchResult ParseBench(std::string_view text, const std::string& place) {

@@ -12,7 +12,8 @@ namespace rasterproof::report {
 /// The text of a bench file with the whole result, raw times included.
 ///
 /// Properties: BenchToJson(ParseBench(BenchToJson(result), place)) is the same text: numbers are as
-///             short as reads back to them, except raw times, which are rounded to six digits.
+///             short as reads back to them, except raw times, which are rounded to six digits. It
+///             can stand in a script element of a page as it is: "<" is written "\u003c".
 std::string BenchToJson(const BenchResult& result);
 
 /// The record of a bench file's text. `place` begins the place of every error.

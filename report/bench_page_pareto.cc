@@ -1,17 +1,16 @@
-// Error against run time: the plot that the script draws, and the table shown without the script.
+// Error against run time: the plots, the table of all rows, and the record that they show. The
+// script chooses which of them are seen; without it those of the first family are.
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "io/scene_json.h"
 #include "report/bench_decision.h"
+#include "report/bench_json.h"
 #include "report/bench_page_parts.h"
 #include "report/bench_svg.h"
 #include "report/page_parts.h"
@@ -20,111 +19,22 @@
 namespace rasterproof::report {
 namespace {
 
-struct ErrorName {
-  ErrorKind kind;
-  std::string_view name;
-  std::string_view unit;  // "share" or "px"
-};
-constexpr std::array kErrorNames{
-    ErrorName{ErrorKind::kReal, "share wrong, by real geometry", "share"},
-    ErrorName{ErrorKind::kOwn, "share wrong, by the method's own model", "share"},
-    ErrorName{ErrorKind::kDisplacement, "farthest wrong sample from the boundary", "px"},
-    ErrorName{ErrorKind::kLeaks, "leaks along shared edges", "share"},
-    ErrorName{ErrorKind::kEdge, "largest error of an edge's value", "px"}};
-
-// A string within a script element: nothing in it ends the element.
-std::string Quoted(std::string_view text) {
-  std::string json = io::JsonString(text);
-  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos; ++at) {
-    json.replace(at, 1, "\\u003c");
-  }
-  return json;
-}
-
-std::string NumberJson(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
-}
-
-std::string MethodJson(const BenchMethod& method) {
-  return fmt::format(
-      "{{\"name\":{},\"full\":{},\"summary\":{},\"kind\":{},\"target\":{},\"sink\":{},\"model\":{},"
-      "\"proved\":{},\"yours\":{},\"limit\":{},\"bytes\":{},\"bits\":{}}}",
-      Quoted(method.name), Quoted(FullName(method)), Quoted(method.summary), Quoted(method.kind),
-      Quoted(method.target), Quoted(method.sink), Quoted(method.model), method.is_proved,
-      method.is_users, NumberJson(method.coordinate_limit), method.vertex_bytes, method.pixel_bits);
-}
-
-std::string FamilyJson(const BenchResult& bench, const BenchFamily& family) {
-  return fmt::format(
-      "{{\"name\":{},\"summary\":{},\"baseline\":{},\"constructed\":{},\"random\":{},\"boundary\":{"
-      "},"
-      "\"shared\":{},\"covered\":{},\"reach\":{}}}",
-      Quoted(family.name), Quoted(family.summary), Quoted(bench.methods[family.baseline].name),
-      family.is_constructed, family.is_random, family.boundary_pairs, family.shared_pairs,
-      family.covered, NumberJson(family.largest_coordinate));
-}
-
-// [lane, value, whether it is on the frontier] of each error.
-std::string ErrorsJson(const BenchResult& bench, const BenchRow& row) {
-  std::vector<std::string> errors;
-  for (const ErrorName& error : kErrorNames) {
-    const RowError one = ErrorOf(bench, row, error.kind);
-    const std::vector<const BenchRow*> frontier =
-        Frontier(bench, row.family, bench.methods[row.method].sink, error.kind);
-    const bool is_on_frontier = std::ranges::find(frontier, &row) != frontier.end();
-    errors.push_back(fmt::format("[{},{},{}]", static_cast<int>(one.lane), NumberJson(one.value),
-                                 is_on_frontier ? 1 : 0));
-  }
-  return fmt::format("[{}]", fmt::join(errors, ","));
-}
-
-std::string RowJson(const BenchResult& bench, const BenchRow& row) {
-  return fmt::format(
-      "{{\"f\":{},\"m\":{},\"ratio\":[{},{},{}],\"ns\":{},\"ms\":{},\"rival\":{},\"store\":{},"
-      "\"judged\":{},\"wrong\":{},\"own\":{},\"pairs\":{},\"lost\":{},\"leaks\":{},\"e\":{}}}",
-      row.family, row.method, NumberJson(row.ratio.low), NumberJson(row.ratio.median),
-      NumberJson(row.ratio.high), NumberJson(NanosecondsATriangle(bench, row)),
-      NumberJson(MillisecondsAFrame(bench, row, kFramePixels[0])), IsRival(bench, row),
-      row.binds_at_store, row.is_judged, WrongBesideEdges(row, row.real),
-      WrongBesideEdges(row, row.own), row.boundary_pairs, row.real.lost, row.leaks.Sum(),
-      ErrorsJson(bench, row));
-}
-
-// All that the script draws from.
-std::string DataJson(const BenchResult& bench) {
-  std::vector<std::string> errors;
-  for (const ErrorName& error : kErrorNames) {
-    errors.push_back(
-        fmt::format("{{\"name\":{},\"unit\":{}}}", Quoted(error.name), Quoted(error.unit)));
-  }
-  std::vector<std::string> methods;
-  for (const BenchMethod& method : bench.methods) methods.push_back(MethodJson(method));
-  std::vector<std::string> families;
-  for (const BenchFamily& family : bench.families) families.push_back(FamilyJson(bench, family));
-  std::vector<std::string> rows;
-  for (const BenchRow& row : bench.rows) {
-    if (!IsBaselineAgain(bench, row)) rows.push_back(RowJson(bench, row));
-  }
-  return fmt::format(
-      "{{\"processor\":{},\"errors\":[{}],\n\"methods\":[{}],\n\"families\":[{}],\n\"rows\":[{}]}}",
-      Quoted(bench.setting.processor), fmt::join(errors, ","), fmt::join(methods, ",\n"),
-      fmt::join(families, ",\n"), fmt::join(rows, ",\n"));
-}
-
-// Every cell that the script fills, of the first family.
-std::string PlainRow(const BenchResult& bench, const BenchRow& row) {
+// Rows of the first family and the sink that all methods have are shown at first.
+std::string RowCells(const BenchResult& bench, const BenchRow& row) {
   const BenchMethod& method = bench.methods[row.method];
   return fmt::format(
-      "<tr><th scope=\"row\" class=\"name\">{}</th><td>{}</td><td>{}</td>"
-      "<td class=\"number\">{}</td><td class=\"number\">{:.3g}</td><td class=\"number\">{}</td>"
+      "<tr data-row=\"{}\"{}><th scope=\"row\" class=\"name\">{}</th><td>{}</td><td>{}</td>"
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
-      "<td class=\"number\">{}</td><td class=\"number\">{}</td><td></td></tr>\n",
-      Escaped(method.name), Escaped(method.target), Escaped(method.sink),
-      NumberText(NanosecondsATriangle(bench, row)), row.ratio.median, WrongText(bench, row),
+      "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td>"
+      "<td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td></tr>\n",
+      &row - bench.rows.data(),
+      row.family == 0 && method.sink == kCommonSink ? "" : " class=\"off\"", Escaped(method.name),
+      Escaped(method.target), Escaped(method.sink), NumberText(NanosecondsATriangle(bench, row)),
+      RatioText(row, 3), WrongText(bench, row),
       row.is_judged ? NumberText(row.real.displacement) : "–",
       row.is_judged ? Grouped(WrongBesideEdges(row, row.own)) : "–",
       row.is_judged ? Grouped(row.leaks.Sum()) : "–", NumberText(row.values.edge),
-      method.vertex_bytes);
+      method.vertex_bytes, RemarkText(bench, row));
 }
 
 std::string RowsTable(const BenchResult& bench) {
@@ -137,11 +47,10 @@ std::string RowsTable(const BenchResult& bench) {
       "<th class=\"number\">bytes</th><th>remark</th></tr></thead><tbody>\n";
   std::vector<const BenchRow*> rows;
   for (const BenchRow& row : bench.rows) {
-    const bool is_here = row.family == 0 && bench.methods[row.method].sink == kCommonSink;
-    if (is_here && !IsBaselineAgain(bench, row)) rows.push_back(&row);
+    if (!IsBaselineAgain(bench, row)) rows.push_back(&row);
   }
-  std::ranges::sort(rows, {}, [](const BenchRow* row) { return row->ratio.median; });
-  for (const BenchRow* row : rows) html += PlainRow(bench, *row);
+  std::ranges::stable_sort(rows, {}, [](const BenchRow* row) { return row->ratio.median; });
+  for (const BenchRow* row : rows) html += RowCells(bench, *row);
   return html + "</tbody></table></div>\n" +
          ColumnKey({{"by", "instruction set; compiler: as the compiler was told"},
                     {"into", "the sink: counts by facing, counts of 8 bits, a bit a pixel, ..."},
@@ -160,10 +69,19 @@ std::string RowsTable(const BenchResult& bench) {
                     {"bytes", "that a vertex takes in the format that it reads"}});
 }
 
-std::string Options(const std::vector<std::string>& names) {
+std::string FamilyOptions(const BenchResult& bench) {
   std::string html;
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    html += fmt::format("<option value=\"{}\">{}</option>", k, Escaped(names[k]));
+  for (std::size_t k = 0; k < bench.families.size(); ++k) {
+    html += fmt::format("<option value=\"{}\">{}</option>", k, Escaped(bench.families[k].name));
+  }
+  return html;
+}
+
+std::string ErrorOptions() {
+  std::string html;
+  for (std::size_t k = 0; k < kErrorKinds.size(); ++k) {
+    html += fmt::format("<option value=\"{}\" data-unit=\"{}\">{}</option>", k,
+                        IsInPixels(kErrorKinds[k]) ? "px" : "share", ErrorName(kErrorKinds[k]));
   }
   return html;
 }
@@ -183,10 +101,6 @@ std::string Distinct(const BenchResult& bench, std::string BenchMethod::* member
 }
 
 std::string Controls(const BenchResult& bench) {
-  std::vector<std::string> families;
-  for (const BenchFamily& family : bench.families) families.push_back(family.name);
-  std::vector<std::string> errors;
-  for (const ErrorName& error : kErrorNames) errors.emplace_back(error.name);
   return fmt::format(
       "<form id=\"bench-pick\" class=\"pick\" hidden>\n"
       "<label>Triangles <select name=\"family\">{}</select></label>\n"
@@ -199,16 +113,17 @@ std::string Controls(const BenchResult& bench) {
       "<label><input type=\"checkbox\" name=\"tight\"> leaks nothing</label>\n"
       "<label><input type=\"checkbox\" name=\"exact\"> 0 wrong by its own model</label>\n"
       "</form>\n",
-      Options(families), Options(errors), Distinct(bench, &BenchMethod::sink, kCommonSink),
+      FamilyOptions(bench), ErrorOptions(), Distinct(bench, &BenchMethod::sink, kCommonSink),
       Distinct(bench, &BenchMethod::target, ""));
 }
 
-std::string Panel(const BenchResult& bench, std::uint32_t family, PanelPoints points) {
-  return fmt::format(
-      "<svg class=\"plot panel\" role=\"img\" aria-label=\"Error against run time: {}\" "
-      "viewBox=\"0 0 {} {}\">{}</svg>\n",
-      Escaped(bench.families[family].name), kPanelWidth, kPanelHeight,
-      BenchPanel(bench, family, points));
+std::string LargePanels(const BenchResult& bench) {
+  std::string html;
+  for (std::uint32_t family = 0; family < bench.families.size(); ++family) {
+    html += fmt::format("<div{}>{}</div>\n", family == 0 ? "" : " class=\"off\"",
+                        LargePanel(bench, family));
+  }
+  return html;
 }
 
 constexpr std::string_view kSaving =
@@ -218,22 +133,37 @@ constexpr std::string_view kSaving =
 
 }  // namespace
 
+std::string RemarkText(const BenchResult& bench, const BenchRow& row) {
+  const BenchMethod& method = bench.methods[row.method];
+  std::vector<std::string> notes;
+  if (method.is_users) notes.emplace_back("yours");
+  if (method.coordinate_limit < bench.families[row.family].largest_coordinate) {
+    notes.push_back("states nothing beyond " + NumberText(method.coordinate_limit) + " px");
+  } else if (row.is_judged && !IsRival(bench, row)) {
+    notes.emplace_back("1 % wrong or more");
+  }
+  if (row.real.lost != 0) notes.emplace_back("whole triangles lost");
+  if (row.binds_at_store) notes.emplace_back("bound by storing");
+  return fmt::format("{}", fmt::join(notes, "; "));
+}
+
 std::string ParetoParts(const BenchResult& bench) {
   if (bench.rows.empty()) return {};
-  return Controls(bench) +
+  return Controls(bench) + fmt::format("<style id=\"bench-style\">{}</style>\n", kBenchStyle) +
          "<figure class=\"pareto\"><figcaption id=\"bench-caption\"></figcaption>"
          "<div id=\"bench-plot\">" +
-         Panel(bench, 0, PanelPoints::kAll) +
+         LargePanels(bench) +
          "</div><p id=\"bench-said\" class=\"why\" aria-live=\"polite\"></p></figure>\n" +
          std::string(kSaving) + RowsTable(bench) +
-         "<script type=\"application/json\" id=\"bench-data\">" + DataJson(bench) + "</script>\n";
+         "<script type=\"application/json\" id=\"bench-data\">" + BenchToJson(bench) +
+         "</script>\n";
 }
 
 std::string FamilyPanels(const BenchResult& bench) {
   if (bench.families.empty()) return {};
   std::string html = "<div class=\"panels\">\n";
   for (std::uint32_t family = 0; family < bench.families.size(); ++family) {
-    html += Panel(bench, family, PanelPoints::kFrontier);
+    html += FrontierPanel(bench, family);
   }
   return html + "</div>\n";
 }

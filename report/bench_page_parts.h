@@ -22,6 +22,8 @@ std::string NumberText(double value);
 /// "proved 0", "0 of 12 345", "45 of 12 345": of the pairs of the row's family at most a pixel from
 /// an edge.
 std::string WrongText(const BenchResult& bench, const BenchRow& row);
+/// "yours; bound by storing"
+std::string RemarkText(const BenchResult& bench, const BenchRow& row);
 
 /// Of each family and need the cheapest method.
 std::string DecisionTable(const BenchResult& bench);
@@ -30,7 +32,7 @@ std::string AdviceTable(const BenchResult& bench);
 /// A row a family of each method of the user's: beside the fastest and the proved.
 std::string UsersTable(const BenchResult& bench);
 
-/// Pickers, plot and table of all rows.
+/// Pickers, plots, table of all rows, and the record: the bytes of BenchToJson.
 std::string ParetoParts(const BenchResult& bench);
 /// A panel a family, the frontier alone.
 std::string FamilyPanels(const BenchResult& bench);

@@ -1,6 +1,6 @@
 // The report: a page of all subjects, and beside it a page of each with all that is known of it.
 // They show pictures that lie beside them, load nothing else, and run one script that sorts tables
-// and draws and filters what a bench found.
+// and chooses what is shown of a bench.
 #ifndef RASTERPROOF_REPORT_PAGE_H_
 #define RASTERPROOF_REPORT_PAGE_H_
 

@@ -16,6 +16,8 @@ namespace rasterproof::report {
 
 /// page.css, the style sheet of every page.
 extern const std::string_view kPageStyle;
+/// bench.css, the style sheet of the plot of error against run time: elements of the class bench.
+extern const std::string_view kBenchStyle;
 /// page.js, the script of every page. The page says the most important of it without.
 extern const std::string_view kPageScript;
 /// base64(SHA-256(kPageScript)), by which the page's policy allows this script and no other.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "report/bench_decision.h"
+#include "report/bench_json.h"
 #include "report/bench_page_parts.h"
 #include "report/page.h"
 #include "tests/report/sample_bench.h"
@@ -180,10 +181,12 @@ TEST(BenchPage, EveryWorstCaseHasItsFileAndCommand) {
   EXPECT_EQ(cases[0].scene.precision, Precision::kFloat64);  // 1.1 is no float32
 }
 
-TEST(BenchPage, NamesEndNoScript) {
+TEST(BenchPage, HoldsTheRecordAndNamesEndNoScript) {
   BenchResult bench = SampleBench();
   bench.methods[5].name = "</script><b>";
-  EXPECT_FALSE(Says(BenchSections(bench, "out"), "</script><b>"));
+  const std::string html = BenchSections(bench, "out");
+  EXPECT_TRUE(Says(html, "id=\"bench-data\">" + BenchToJson(bench) + "</script>"));
+  EXPECT_FALSE(Says(html, "</script><b>"));
 }
 
 TEST(BenchPage, SaysWhyAUsersSubjectIsLeftOut) {

@@ -12,6 +12,7 @@
 #include "core/case.h"
 #include "core/coverage.h"
 #include "core/grids_left.h"
+#include "core/witness.h"
 
 namespace rasterproof {
 
@@ -22,17 +23,6 @@ enum class Outcome : std::uint8_t {
   kNotApplicable,  ///< the subject or the profile does not state this at all
   kRefused,        ///< the subject refused the scene: the outcome of a case, never of a run
   kInconclusive    ///< it could not be judged: too slow, not deterministic, too much refused
-};
-
-/// Where a property failed. Entries that do not apply are -1 or empty.
-struct Witness {
-  int triangle = -1;
-  int edge = -1;  ///< edge i is opposite vertex i
-  int x = -1;     ///< pixel column
-  int y = -1;     ///< pixel row from the top
-  int sample = 0;
-  std::string observed;
-  std::string expected;
 };
 
 /// Two drawings that a property says are equal, of one shape.

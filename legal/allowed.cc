@@ -268,18 +268,4 @@ CoverageCounts Allowed::Nearest(const CoverageCounts& drawn) const {
   return nearest;
 }
 
-std::string Allowed::WordsAt(std::size_t k) const {
-  if (IsByPlaces()) {
-    const std::uint32_t most = Most(k);
-    if (most == Least(k)) return std::to_string(most);
-    return std::to_string(Least(k)) +
-           (most == kUnbounded ? " or more" : " to " + std::to_string(most));
-  }
-  std::string words;
-  for (int n = 0; n <= kMostCounted; ++n) {
-    if (((*numbers_)[k] >> n & 1U) != 0) words += (words.empty() ? "" : " or ") + std::to_string(n);
-  }
-  return words;
-}
-
 }  // namespace rasterproof::legal

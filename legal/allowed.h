@@ -18,6 +18,7 @@
 #include "core/draw_options.h"
 #include "core/drawing.h"
 #include "core/subject_info.h"
+#include "core/witness.h"
 #include "exact/placed_scene.h"
 
 namespace rasterproof::legal {
@@ -80,8 +81,10 @@ class Allowed {
   /// Domain:     IsByPlaces().
   CoverageCounts Nearest(const CoverageCounts& drawn) const;
   std::array<std::uint32_t, 2> NearestAt(const CoverageCounts& drawn, std::size_t k) const;
-  /// "0 or 1", "1 to 3", "2".
-  std::string WordsAt(std::size_t k) const;
+  /// The counts that legal models have there.
+  ///
+  /// Domain:     not IsByPlaces().
+  CountSet CountsAt(std::size_t k) const { return {(*numbers_)[k]}; }
 
  private:
   using Counts = std::shared_ptr<const CoverageCounts>;

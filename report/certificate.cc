@@ -27,6 +27,18 @@ void WriteSubject(JsonWriter& json, const Certificate& certificate) {
   json.EndObject();
 }
 
+void WriteWitness(JsonWriter& json, const Witness& witness) {
+  json.Key("witness").BeginObject();
+  json.Key("triangle").Integer(witness.triangle);
+  json.Key("edge").Integer(witness.edge);
+  json.Key("x").Integer(witness.x);
+  json.Key("y").Integer(witness.y);
+  json.Key("sample").Integer(witness.sample);
+  json.Key("observed").Text(TextOfValue(witness.observed));
+  json.Key("expected").Text(TextOfValue(witness.expected));
+  json.EndObject();
+}
+
 void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
                          const PropertyResult& result) {
   const Counterexample& found = *result.counterexample;
@@ -110,18 +122,6 @@ void WriteMeasured(JsonWriter& json, const Certificate& certificate, const Scene
 }
 
 }  // namespace
-
-void WriteWitness(JsonWriter& json, const Witness& witness) {
-  json.Key("witness").BeginObject();
-  json.Key("triangle").Integer(witness.triangle);
-  json.Key("edge").Integer(witness.edge);
-  json.Key("x").Integer(witness.x);
-  json.Key("y").Integer(witness.y);
-  json.Key("sample").Integer(witness.sample);
-  json.Key("observed").Text(witness.observed);
-  json.Key("expected").Text(witness.expected);
-  json.EndObject();
-}
 
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result) {
   const auto found = certificate.replay.find(NameOf(result));

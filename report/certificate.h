@@ -114,9 +114,6 @@ std::string Said(const PropertyResult& result);
 /// the reader to save the counterexample's case and to replay that file.
 std::string ReplayCommand(const Certificate& certificate, const PropertyResult& result);
 
-/// Writes the member "witness" in the form that certificates and parts of campaigns share.
-void WriteWitness(JsonWriter& json, const Witness& witness);
-
 /// Returns the certificate as JSON, in the form of docs/certificate.schema.json. Counterexamples
 /// are in it as case files. It has no times, so that a campaign bounded by cases gives the same
 /// bytes however long it took: for those, see TimesToJson().

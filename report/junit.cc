@@ -39,7 +39,8 @@ JUnitTest TestOfProperty(const Certificate& certificate, const PropertyResult& r
         test.text += fmt::format(
             "triangle {}, edge {}, pixel ({}, {}), sample {}: observed {}, "
             "expected {}\n",
-            w.triangle, w.edge, w.x, w.y, w.sample, w.observed, w.expected);
+            w.triangle, w.edge, w.x, w.y, w.sample, TextOfValue(w.observed),
+            TextOfValue(w.expected));
       }
       test.text += "replay: " + ReplayCommand(certificate, result) + "\n";
       break;

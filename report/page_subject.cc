@@ -29,7 +29,8 @@ std::string WitnessText(const Witness& w) {
   if (w.triangle >= 0) place += fmt::format("triangle {} ", w.triangle);
   if (w.edge >= 0) place += fmt::format("edge {} ", w.edge);
   if (w.x >= 0) place += fmt::format("pixel ({}, {}) ", w.x, w.y);
-  return fmt::format("{}observed {}, expected {}", place, w.observed, w.expected);
+  return fmt::format("{}observed {}, expected {}", place, TextOfValue(w.observed),
+                     TextOfValue(w.expected));
 }
 
 std::string TextLine(std::string_view look, std::string_view text) {

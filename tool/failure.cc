@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -10,8 +9,7 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <system_error>
+#include <variant>
 #include <vector>
 
 #include "core/call_end.h"
@@ -269,41 +267,17 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   return explanation;
 }
 
-namespace {
-
-struct FacingsText {
-  std::uint64_t sum = 0;
-  std::string rest;  // "; exact E of edges ..."
-};
-
-// Takes the word and the count after it off the text; nothing if it begins otherwise.
-std::optional<std::uint32_t> TakeCount(std::string_view word, std::string_view& text) {
-  if (!text.starts_with(word)) return std::nullopt;
-  text.remove_prefix(word.size());
-  std::uint32_t count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  if (error != std::errc()) return std::nullopt;
-  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  return count;
-}
-
-// Reads "front 1, back 0" and what may follow after a semicolon; nothing of any other text.
-std::optional<FacingsText> ReadFacings(std::string_view text) {
-  const std::optional<std::uint32_t> front = TakeCount("front ", text);
-  const std::optional<std::uint32_t> back = front ? TakeCount(", back ", text) : std::nullopt;
-  if (!back || !(text.empty() || text.starts_with(';'))) return std::nullopt;
-  return FacingsText{std::uint64_t{*front} + *back, std::string(text)};
-}
-
-}  // namespace
-
 Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info) {
   if (!verdict.witness || info.coverage == CoverageKind::kFacingCounts) return verdict;
-  const std::optional<FacingsText> observed = ReadFacings(verdict.witness->observed);
-  const std::optional<FacingsText> expected = ReadFacings(verdict.witness->expected);
-  if (!observed || !expected || observed->sum == expected->sum) return verdict;
-  verdict.witness->observed = std::to_string(observed->sum) + observed->rest;
-  verdict.witness->expected = std::to_string(expected->sum) + expected->rest;
+  const auto facings = [](WitnessValue& value) {
+    return value.empty() ? nullptr : std::get_if<FacingCounts>(&value.front());
+  };
+  const auto sum = [](FacingCounts counts) { return std::int64_t{counts.front} + counts.back; };
+  const FacingCounts* const observed = facings(verdict.witness->observed);
+  const FacingCounts* const expected = facings(verdict.witness->expected);
+  if (!observed || !expected || sum(*observed) == sum(*expected)) return verdict;
+  verdict.witness->observed.front() = sum(*observed);
+  verdict.witness->expected.front() = sum(*expected);
   return verdict;
 }
 
@@ -323,7 +297,8 @@ std::string FailureLine(const std::string& property, const Case& given, const Ve
     if (w.edge >= 0) line += fmt::format("edge {} ", EdgeName(w.edge));
     if (w.x >= 0) line += fmt::format("pixel ({}, {}) ", w.x, w.y);
     if (!w.observed.empty() || !w.expected.empty()) {
-      line += fmt::format("=> observed {}, expected {}; ", w.observed, w.expected);
+      line += fmt::format("=> observed {}, expected {}; ", TextOfValue(w.observed),
+                          TextOfValue(w.expected));
     }
   }
   return line + verdict.message;

@@ -44,7 +44,8 @@ struct LoadedCase {
 /// A subject that only the file names is one of this program's own: the built-in ones, the oracle,
 /// planted bugs and legal variants, the type of kit/main.h. Any other is for the user to name.
 ///
-/// Returns:    the case. `make` makes its subject, if given, in place of the one of the choice's name.
+/// Returns:    the case. `make` makes its subject, if given, in place of the one of the choice's
+///             name.
 /// Error:      InputError if the choice is of no case or of two, or lacks what its case needs; with
 ///             the command to type where the file names a subject outside.
 LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,

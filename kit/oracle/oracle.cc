@@ -204,6 +204,14 @@ std::string WhyNotLegal(const legal::JointVerdict& verdict, const Scene& scene,
          CountText(first.legal_least, first.legal_most) + " times";
 }
 
+// "2", "1 to 3", "1 or more".
+std::string RangeText(const legal::Allowed& allowed, std::size_t s) {
+  const std::uint32_t most = allowed.Most(s);
+  const std::string least = std::to_string(allowed.Least(s));
+  if (most == allowed.Least(s)) return least;
+  return least + (most == legal::Allowed::kUnbounded ? " or more" : " to " + std::to_string(most));
+}
+
 // Judges a profile that names every vertex's place, where legal::JudgeJointly() is not for the
 // scene: clip space, a transform of its own.
 std::int32_t JudgeByPlaces(const Scene& scene, const legal::Allowed& allowed,
@@ -212,8 +220,8 @@ std::int32_t JudgeByPlaces(const Scene& scene, const legal::Allowed& allowed,
   if (wrong.empty()) return RASTERPROOF_ORACLE_LEGAL;
   const std::size_t s = wrong.front();
   SetMessage(PlaceText(s, scene, static_cast<std::size_t>(drawn.samples)) + ": covered " +
-             std::to_string(drawn.Count(s)) + " times; the model covers it " + allowed.WordsAt(s) +
-             " times");
+             std::to_string(drawn.Count(s)) + " times; the model covers it " +
+             RangeText(allowed, s) + " times");
   return RASTERPROOF_ORACLE_NOT_LEGAL;
 }
 

@@ -24,11 +24,8 @@ Verdict OnLargeTarget(const legal::Allowed& allowed, const CoverageCounts& drawn
   }
   Witness witness = WitnessAtIndex(drawn, first);
   const auto [front, back] = allowed.NearestAt(drawn, first);
-  const auto words = [](std::uint32_t fronts, std::uint32_t backs) {
-    return "front " + std::to_string(fronts) + ", back " + std::to_string(backs);
-  };
-  witness.observed = words(drawn.front[first], drawn.back[first]);
-  witness.expected = words(front, back);
+  witness.observed = {FacingCounts{drawn.front[first], drawn.back[first]}};
+  witness.expected = {FacingCounts{front, back}};
   return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
                            "coverage differs from the model's" + of + " at " +
                                std::to_string(wrong) + " of " + std::to_string(drawn.size()) +
@@ -58,8 +55,8 @@ Verdict AsAllowed(const legal::Allowed& allowed, const CoverageCounts& drawn,
   }
   const std::vector<std::size_t> wrong = allowed.Wrong(drawn);
   Witness witness = WitnessAtIndex(drawn, wrong.front());
-  witness.observed = std::to_string(drawn.Count(wrong.front()));
-  witness.expected = allowed.WordsAt(wrong.front()) + " in every legal model";
+  witness.observed = {drawn.Count(wrong.front())};
+  witness.expected = {allowed.CountsAt(wrong.front()), " in every legal model"};
   return Verdict::Violated(exercised,
                            "coverage differs from every legal model's" + of + " at " +
                                std::to_string(wrong.size()) + " of " +

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
 namespace {
 
-std::string PrimitiveIdText(std::int32_t id) {
-  return id == kNoPrimitive ? "no triangle" : "triangle " + std::to_string(id);
+WitnessValue PrimitiveAt(std::int32_t id, std::string words) {
+  if (id == kNoPrimitive) return {"no triangle" + std::move(words)};
+  return {"triangle ", id, std::move(words)};
 }
 
 }  // namespace
@@ -43,8 +45,8 @@ Verdict SamePrimitiveIds(const Drawing& observed, const std::vector<std::int32_t
   Witness witness = WitnessAtIndex(observed.counts, first);
   witness.triangle = std::max(observed.primitive_ids[first], expected[first]) %
                      static_cast<std::int32_t>(triangles);
-  witness.observed = PrimitiveIdText(observed.primitive_ids[first]) + " wins";
-  witness.expected = PrimitiveIdText(expected[first]) + ", by the triangles " + how;
+  witness.observed = PrimitiveAt(observed.primitive_ids[first], " wins");
+  witness.expected = PrimitiveAt(expected[first], ", by the triangles " + how);
   return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
                            "another triangle wins than the stated order says at " +
                                std::to_string(wrong) + " of " + std::to_string(expected.size()) +

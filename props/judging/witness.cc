@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -26,34 +25,20 @@ namespace {
 // A failing case of a campaign has few triangles; in a whole mesh the first ones must do.
 constexpr std::size_t kMaxTrianglesBlamed = 256;
 
-std::string CountText(const CoverageCounts& counts, std::size_t index) {
-  return "front " + std::to_string(counts.front[index]) + ", back " +
-         std::to_string(counts.back[index]);
-}
-
-std::string EdgeValuesText(const std::array<Point2, 3>& v, Point2 p) {
-  std::string text = "; exact E of edges v1-v2, v2-v0, v0-v1: ";
-  for (int i = 0; i < 3; ++i) {
-    text += exact::EdgeValue(EdgeStart(v, i), EdgeEnd(v, i), p).ToString();
-    if (i < 2) text += ", ";
-  }
-  return text;
+WitnessValue CountsAt(const CoverageCounts& counts, std::size_t index) {
+  return {FacingCounts{counts.front[index], counts.back[index]}};
 }
 
 }  // namespace
 
-std::string HexText(double x) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%a", x);
-  // A library in this process may have called setlocale(LC_ALL, "").
-  std::ranges::replace(text, ',', '.');
-  return text.data();
-}
+RationalText Exactly(const exact::Rational& number) { return {number.ToString()}; }
+
+RationalText ExactEdge(Point2 a, Point2 b, Point2 p) { return Exactly(exact::EdgeValue(a, b, p)); }
 
 std::string HexText(Point2 p) { return "(" + HexText(p.x) + ", " + HexText(p.y) + ")"; }
 
-Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
-                  std::string expected) {
+Witness WitnessAt(int triangle, int edge, const SamplePlace& place, WitnessValue observed,
+                  WitnessValue expected) {
   return {triangle,           edge, place.x, place.row, place.sample, std::move(observed),
           std::move(expected)};
 }
@@ -71,17 +56,22 @@ Witness WitnessAtIndex(const CoverageCounts& shape, std::size_t index) {
 Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                         std::size_t index) {
   Witness witness = WitnessAtIndex(expected, index);
-  witness.observed = CountText(observed, index);
-  witness.expected = CountText(expected, index);
+  witness.observed = CountsAt(observed, index);
+  witness.expected = CountsAt(expected, index);
   return witness;
 }
 
 namespace {
 
-std::string EdgeValuesText(const PlacedCase& alone, Point2 p) {
-  const auto places =
-      alone.scene.clip_space ? std::vector<CornersPlace>() : SomeTriangles(alone, 1);
-  return places.empty() ? "" : EdgeValuesText(places[0].at, p);
+// Lists the exact edge values of the triangle beside the value.
+void AddEdgeValues(const PlacedCase& alone, Point2 p, WitnessValue& value) {
+  if (alone.scene.clip_space) return;
+  for (const CornersPlace& place : SomeTriangles(alone, 1)) {
+    for (int i = 0; i < 3; ++i) {
+      value.emplace_back(i == 0 ? "; exact E of edges v1-v2, v2-v0, v0-v1: " : ", ");
+      value.push_back(ExactEdge(EdgeStart(place.at, i), EdgeEnd(place.at, i), p));
+    }
+  }
 }
 
 Point2 SampleOf(const PlacedCase& c, const Witness& witness) {
@@ -126,7 +116,7 @@ Verdict BlameOne(const PlacedCase& c, std::size_t t, const DrawOptions& options,
   if (std::ranges::all_of(v, IsFinite)) {
     const Point2 p = SampleOf(c, witness);
     witness.edge = NearestEdge(v, p);
-    witness.expected += EdgeValuesText(alone, p);
+    AddEdgeValues(alone, p, witness.expected);
   }
   return Blamed(std::move(witness));
 }

@@ -8,24 +8,29 @@
 
 #include "core/coverage.h"
 #include "core/verdict.h"
+#include "core/witness.h"
+#include "exact/rational.h"
 #include "props/judging/places.h"
 #include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
 
-/// A double as a C99 hex float: "0x1.8p+1", "nan", "-inf".
-std::string HexText(double x);
+using rasterproof::HexText;
 std::string HexText(Point2 p);
 
+RationalText Exactly(const exact::Rational& number);
+/// The exact value of E(a, b; p).
+RationalText ExactEdge(Point2 a, Point2 b, Point2 p);
+
 /// Where an edge or barycentric property failed.
-Witness WitnessAt(int triangle, int edge, const SamplePlace& place, std::string observed,
-                  std::string expected);
+Witness WitnessAt(int triangle, int edge, const SamplePlace& place, WitnessValue observed,
+                  WitnessValue expected);
 
 /// The sample with that index in counts of the shape.
 Witness WitnessAtIndex(const CoverageCounts& shape, std::size_t index);
 
-/// Where two counts differ at one sample, "front 1, back 0" against the expected.
+/// Where two counts differ at one sample: by facing, observed and expected.
 Witness WitnessOfCounts(const CoverageCounts& observed, const CoverageCounts& expected,
                         std::size_t index);
 

@@ -19,7 +19,7 @@ std::string AnswerText(const Verdict& verdict) {
   if (!verdict.witness || verdict.witness->observed.empty()) return text;
   const Witness& w = *verdict.witness;
   if (w.x >= 0) text += ", at pixel (" + std::to_string(w.x) + ", " + std::to_string(w.y) + ")";
-  return text + " observed " + w.observed + ", expected " + w.expected;
+  return text + " observed " + TextOfValue(w.observed) + ", expected " + TextOfValue(w.expected);
 }
 
 std::string TwoAnswersText(const Verdict& one, const Verdict& other) {

@@ -252,8 +252,9 @@ TEST(Witness, NamesTheSampleTheTriangleAndTheCounts) {
   EXPECT_EQ(verdict.witness->y, 2);
   EXPECT_EQ(verdict.witness->triangle, 1);
   EXPECT_EQ(verdict.witness->edge, 1) << "the diagonal is nearest";
-  EXPECT_EQ(verdict.witness->observed, "front 2, back 0");
-  EXPECT_EQ(verdict.witness->expected.substr(0, 15), "front 1, back 0");
+  EXPECT_EQ(verdict.witness->observed, WitnessValue{(FacingCounts{2, 0})});
+  EXPECT_EQ(verdict.witness->expected.front(), WitnessPart(FacingCounts{1, 0}));
+  EXPECT_EQ(verdict.witness->expected.size(), 7U) << "and three edge values";
 }
 
 TEST(Witness, OfASharedEdgeIsTheSampleCoveredTwice) {
@@ -265,8 +266,8 @@ TEST(Witness, OfASharedEdgeIsTheSampleCoveredTwice) {
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->x, 3);
   EXPECT_EQ(verdict.witness->y, 3);
-  EXPECT_EQ(verdict.witness->observed, "covered 2 times");
-  EXPECT_EQ(verdict.witness->expected, "exactly once");
+  EXPECT_EQ(TextOfValue(verdict.witness->observed), "covered 2 times");
+  EXPECT_EQ(TextOfValue(verdict.witness->expected), "exactly once");
 }
 
 TEST(Witness, OfAnEdgeValueHoldsHexAndTheExactValue) {
@@ -279,8 +280,8 @@ TEST(Witness, OfAnEdgeValueHoldsHexAndTheExactValue) {
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->triangle, 1);
   EXPECT_EQ(verdict.witness->edge, 1);
-  EXPECT_EQ(verdict.witness->observed.substr(0, 2), "0x");
-  EXPECT_EQ(verdict.witness->expected.substr(0, 4), "E = ");
+  EXPECT_EQ(TextOfValue(verdict.witness->observed).substr(0, 2), "0x");
+  EXPECT_EQ(TextOfValue(verdict.witness->expected).substr(0, 4), "E = ");
 }
 
 // What is legal is never failed.

@@ -220,7 +220,7 @@ TEST(ClipSpaceMeshes, AroundTheEyeAreCoveredOnceEverywhere) {
   ASSERT_EQ(verdict.outcome, Outcome::kViolated);
   EXPECT_EQ(verdict.witness->x, 5);
   EXPECT_EQ(verdict.witness->y, 6);
-  EXPECT_EQ(verdict.witness->observed, "covered 0 times");
+  EXPECT_EQ(TextOfValue(verdict.witness->observed), "covered 0 times");
 }
 
 TEST(ClipSpaceMeshes, AroundTheEyeOnAGridOfTheirOwnAreNotJudgedWhereAPieceMayTurn) {

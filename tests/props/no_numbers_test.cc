@@ -48,7 +48,8 @@ TEST(AFragmentThatIsNoNumber, IsAFindingWithItsWitness) {
     }
     const PropertyResult result = RunCampaign(depths, hull, {.cases = 40});
     const std::string_view word = std::isnan(no_number) ? "nan" : "inf";
-    EXPECT_NE(result.counterexample->verdict.witness->observed.find(word), std::string::npos);
+    const WitnessValue& seen = result.counterexample->verdict.witness->observed;
+    EXPECT_NE(TextOfValue(seen).find(word), std::string::npos);
   }
 }
 

@@ -94,7 +94,7 @@ TEST(PageTest, EverythingThatOthersNamedIsEscaped) {
   PropertyResult& result = certificate.tested[1];
   result.property = result.clause = result.message = result.tolerance = evil;
   Witness& witness = *result.counterexample->verdict.witness;
-  witness.observed = witness.expected = evil;
+  witness.observed = witness.expected = {evil};
   certificate.replay[evil] = evil;
   for (const std::string& html : PagesOf(page)) {
     EXPECT_EQ(Count(html, "<script"), 1U);

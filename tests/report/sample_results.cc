@@ -51,7 +51,7 @@ PropertyResult SampleProperty(const std::string& name, Outcome outcome) {
     result.message = "sample covered twice";
     Counterexample& found = result.counterexample.emplace();
     found.value = OneTriangle();
-    found.verdict = Verdict::Violated(3, "sample covered twice", {0, 1, 2, 3, 0, "2", "1"});
+    found.verdict = Verdict::Violated(3, "sample covered twice", {0, 1, 2, 3, 0, {2}, {1}});
     found.failing_case = "needles:12@7";
   }
   return result;

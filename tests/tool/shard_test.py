@@ -262,11 +262,21 @@ class Refused(Parts):
         def found(part):
             return next(one["found"] for one in part["tests"] if "witness" in one.get("found", {}))
 
+        def seen(value):
+            return lambda part: found(part)["witness"].update(observed=value)
+
         for edit, words in (
             (lambda part: found(part)["witness"].update(triangle=10**6), "its witness is triangle"),
             (lambda part: found(part)["witness"].update(edge=3), "its witness is edge 3"),
             (lambda part: found(part)["witness"].update(x=10**6), "its witness is pixel"),
             (lambda part: found(part)["witness"].update(sample=-1), "its witness is sample"),
+            (seen("two"), "is a string, not an array"),
+            (seen([True]), "neither words nor a number"),
+            (seen([{"back": 1}]), "neither words nor a number"),
+            (seen([{"front": 1}]), '"back" is missing'), (seen([{"counts": [64]}]), "out of range"),
+            (seen([{"double": "2"}]), "observed[0].double"), (seen([1.5]), "is not an integer"),
+            (seen([{"rational": "1/x"}]), "is no rational number"),
+            (seen(["front 1, back 0"]), "another digest"),
             (lambda part: found(part).update(outcome="holds"), "the outcome is that it holds"),
             (lambda part: found(part).update(said_outcome="holds"), "not that it is violated"),
             (lambda part: found(part).update(message="fine"), "another digest"),

@@ -72,8 +72,8 @@ Verdict CompareWithModel(const CoverageCounts& observed, const props::Descriptio
   witness.y = static_cast<int>(pixel / width);
   witness.sample =
       static_cast<int>(difference.first_wrong % static_cast<std::size_t>(expected.samples));
-  witness.observed = fmt::format("{}", observed.Count(difference.first_wrong));
-  witness.expected = fmt::format("{}", expected.Count(difference.first_wrong));
+  witness.observed = {observed.Count(difference.first_wrong)};
+  witness.expected = {expected.Count(difference.first_wrong)};
   return Verdict::Violated(difference.samples,
                            fmt::format("{} of {} samples differ from the model of profile {}",
                                        difference.wrong, difference.samples, c.profile.name),

@@ -1,5 +1,6 @@
 #include "tool/certify/part_file.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstddef>
@@ -9,19 +10,21 @@
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <variant>
 
 #include "core/counters.h"
 #include "core/error.h"
 #include "core/hash_text.h"
+#include "core/quoted.h"
 #include "core/result.h"
 #include "core/scene.h"
 #include "core/verdict.h"
+#include "core/witness.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/json_document.h"
 #include "io/number_text.h"
 #include "io/output.h"
-#include "report/certificate.h"
 #include "report/json_writer.h"
 
 namespace rasterproof::tool {
@@ -30,7 +33,7 @@ namespace {
 using io::JsonValue;
 using report::JsonWriter;
 
-constexpr int kPartVersion = 5;
+constexpr int kPartVersion = 6;
 
 constexpr std::array<std::pair<End, std::string_view>, 4> kEnds{
     {{End::kAllRun, "all run"},
@@ -77,6 +80,47 @@ void WriteSums(JsonWriter& json, const PropertyResult& sums) {
   json.EndArray();
 }
 
+// Of a NaN its sign is written too: a witness shows it.
+struct PartWriter {
+  JsonWriter& json;
+
+  void operator()(const std::string& words) const { json.Text(words); }
+  void operator()(std::int64_t integer) const { json.Integer(integer); }
+  void operator()(FacingCounts counts) const {
+    json.BeginObjectLine().Key("front").Integer(counts.front);
+    json.Key("back").Integer(counts.back).EndObject();
+  }
+  void operator()(CountSet counts) const {
+    json.BeginObjectLine().Key("counts").BeginArray();
+    for (int n = 0; n < 64; ++n) {
+      if ((counts.bits >> n & 1U) != 0) json.Integer(n);
+    }
+    json.EndArray().EndObject();
+  }
+  void operator()(double number) const {
+    json.BeginObjectLine().Key("double").Text(HexText(number)).EndObject();
+  }
+  void operator()(const RationalText& rational) const {
+    json.BeginObjectLine().Key("rational").Text(rational.text).EndObject();
+  }
+};
+
+void WriteValue(JsonWriter& json, std::string_view key, const WitnessValue& value) {
+  json.Key(key).BeginArray();
+  for (const WitnessPart& part : value) std::visit(PartWriter{json}, part);
+  json.EndArray();
+}
+
+void WriteWitness(JsonWriter& json, const Witness& witness) {
+  json.Key("witness").BeginObject();
+  json.Key("triangle").Integer(witness.triangle).Key("edge").Integer(witness.edge);
+  json.Key("x").Integer(witness.x).Key("y").Integer(witness.y);
+  json.Key("sample").Integer(witness.sample);
+  WriteValue(json, "observed", witness.observed);
+  WriteValue(json, "expected", witness.expected);
+  json.EndObject();
+}
+
 void WriteFound(JsonWriter& json, const std::string& property, const Counterexample& found) {
   json.Key("found").BeginObject();
   json.Key("as_case").Text(found.failing_case);
@@ -85,7 +129,7 @@ void WriteFound(JsonWriter& json, const std::string& property, const Counterexam
   json.Key("case").Text(io::CaseToJson({found.value, "", property, found.verdict.drawn}));
   json.Key("said_outcome").Text(OutcomeName(found.verdict.outcome));
   json.Key("said").Text(found.verdict.message);
-  if (found.verdict.witness) report::WriteWitness(json, *found.verdict.witness);
+  if (found.verdict.witness) WriteWitness(json, *found.verdict.witness);
   json.EndObject();
 }
 
@@ -166,6 +210,52 @@ Outcome OutcomeOf(const JsonValue& value) {
   throw value.Error("is no outcome of a part", "write the part again");
 }
 
+double DoubleOf(const JsonValue& value) {
+  if (value.RequireString() == "-nan") return -std::numeric_limits<double>::quiet_NaN();
+  return ExactOf(value);
+}
+
+RationalText RationalOf(const JsonValue& value) {
+  std::string text = TextOf(value);
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto is_digits = [](std::string_view digits) {
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+  };
+  const std::string_view view = text;
+  if (is_digits(view.substr(first, slash - first)) &&
+      (slash == text.size() || is_digits(view.substr(slash + 1)))) {
+    return {std::move(text)};
+  }
+  throw value.Error(Quoted(text, 40) + " is no rational number", "write the part again");
+}
+
+WitnessPart PartOf(const JsonValue& value) {
+  if (value.kind() == io::JsonKind::kString) return TextOf(value);
+  if (value.kind() == io::JsonKind::kNumber) return IntegerOf<std::int64_t>(value);
+  if (value.kind() == io::JsonKind::kObject) {
+    if (value.Find("front")) {
+      return FacingCounts{IntegerOf<std::uint32_t>(value.Get("front")),
+                          IntegerOf<std::uint32_t>(value.Get("back"))};
+    }
+    if (const std::optional<JsonValue> number = value.Find("double")) return DoubleOf(*number);
+    if (const std::optional<JsonValue> number = value.Find("rational")) return RationalOf(*number);
+    if (const std::optional<JsonValue> counts = value.Find("counts")) {
+      CountSet set;
+      for (const JsonValue n : counts->RequireArray())
+        set.bits |= std::uint64_t{1} << n.RequireInteger(0, 63);
+      return set;
+    }
+  }
+  throw value.Error("is neither words nor a number of a witness", "write the part again");
+}
+
+WitnessValue ValueOf(const JsonValue& list) {
+  WitnessValue value;
+  for (const JsonValue part : list.RequireArray()) value.push_back(PartOf(part));
+  return value;
+}
+
 Counterexample FoundOf(const JsonValue& object) {
   Counterexample found;
   found.failing_case = TextOf(object.Get("as_case"));
@@ -184,8 +274,8 @@ Counterexample FoundOf(const JsonValue& object) {
     witness.x = IntegerOf<int>(there->Get("x"));
     witness.y = IntegerOf<int>(there->Get("y"));
     witness.sample = IntegerOf<int>(there->Get("sample"));
-    witness.observed = TextOf(there->Get("observed"));
-    witness.expected = TextOf(there->Get("expected"));
+    witness.observed = ValueOf(there->Get("observed"));
+    witness.expected = ValueOf(there->Get("expected"));
   }
   return found;
 }

@@ -49,14 +49,14 @@ std::string Table(const std::vector<props::Family>& families,
   return text;
 }
 
-struct Summary {
+struct FamilySummary {
   std::array<std::size_t, 2> fails{};
   std::array<std::size_t, 2> stands{};
   std::array<std::size_t, 2> excused{};
 };
 
-Summary SummaryOf(const std::vector<FamilyResult>& results) {
-  Summary sum;
+FamilySummary SummaryOf(const std::vector<FamilyResult>& results) {
+  FamilySummary sum;
   for (const FamilyResult& result : results) {
     for (std::size_t k = 0; k < result.cells.size(); ++k) {
       const FamilyCell& cell = result.cells[k];
@@ -66,7 +66,7 @@ Summary SummaryOf(const std::vector<FamilyResult>& results) {
   return sum;
 }
 
-std::string SummaryLine(const std::string& subject, const Summary& sum) {
+std::string SummaryLine(const std::string& subject, const FamilySummary& sum) {
   std::string line = subject + ":";
   for (std::size_t k = 0; k < props::kYardstickNames.size(); ++k) {
     line += fmt::format("{} {}: {} families stand, {} fail, {} excused", k == 0 ? "" : ";",
@@ -242,7 +242,7 @@ int CheckCatalogue(const CheckOptions& options) {
     const std::vector<FamilyResult> results =
         MeasureCatalogue(subject, families, plan, options.jobs);
     catalogue.columns.push_back(ColumnOf(subject.Make()->Info(), results));
-    const Summary sum = SummaryOf(results);
+    const FamilySummary sum = SummaryOf(results);
     io::WriteStandardOutput(report::CleanText(
         fmt::format("{}, seed {}, {} cases a family\n{:<25}{:<45}{}\n", subject.name(), plan.seed,
                     plan.cases, "", props::kYardstickNames[0], props::kYardstickNames[1]) +

@@ -14,10 +14,6 @@ namespace {
 using props::Cause;
 using props::CauseKind;
 
-std::string Counted(std::size_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 // "a rasterizer that A", or "either a rasterizer that A or one that B".
 std::string Suspected(const Cause& cause) {
   constexpr std::size_t kMostNamed = 3;

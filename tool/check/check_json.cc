@@ -46,7 +46,8 @@ void AddFailure(JsonWriter& json, const Findings& found, std::size_t k) {
   }
   json.Key("message").Text(report::CleanText(failure.verdict.message));
   AddPlace(json, witness);
-  json.Key("expected").Text(witness.expected).Key("actual").Text(witness.observed);
+  json.Key("expected").Text(TextOfValue(witness.expected));
+  json.Key("actual").Text(TextOfValue(witness.observed));
   json.Key("drawn_as").Text(failure.drawn_as);
   const io::CaseFile file{failure.value, found.subject, finding.result.property,
                           failure.verdict.drawn};

@@ -111,10 +111,6 @@ class NotAsked {
   std::size_t count_ = 0;
 };
 
-std::string Counted(std::size_t n, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", n, n == 1 ? one : many);
-}
-
 }  // namespace
 
 void FailureShown::AddName(const std::string& name) {
@@ -142,6 +138,10 @@ int StatusOf(const Findings& found) {
     return kExitInconclusive;
   const bool is_any = CountOf(found, Outcome::kHolds) + QualityOf(found) + Known(found) != 0;
   return is_any ? kExitHolds : kExitInconclusive;
+}
+
+std::string Counted(std::size_t n, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", n, n == 1 ? one : many);
 }
 
 std::string LastLine(const Findings& found) {

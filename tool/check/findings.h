@@ -71,6 +71,9 @@ const props::Cause* CauseOf(const Findings& found, std::size_t finding);
 /// is no pass.
 int StatusOf(const Findings& found);
 
+/// "1 cause", "3 causes".
+std::string Counted(std::size_t n, std::string_view one, std::string_view many);
+
 /// "textbook: 38 hold, 7 violated, ...; 1234 cases".
 std::string LastLine(const Findings& found);
 

@@ -31,7 +31,8 @@ double Median(std::vector<double> values) {
 std::string SeenText(const PropertyResult& violation) {
   const std::optional<Witness>& witness = violation.counterexample->verdict.witness;
   if (!witness || witness->observed.empty()) return violation.message;
-  std::string text = fmt::format("{}; expected {}", witness->observed, witness->expected);
+  std::string text =
+      TextOfValue(witness->observed) + "; expected " + TextOfValue(witness->expected);
   std::ranges::replace(text, '|', '/');
   constexpr std::size_t kLongest = 90;
   if (text.size() > kLongest) text = text.substr(0, kLongest - 3) + "...";

@@ -98,9 +98,9 @@ Verdict NeighbourPair::CoveredTimes(std::uint32_t count, const SamplePlace& samp
   const bool at_least = count == 0 && legal::SharesTies(alone_.profile);
   so_far.outcome = Outcome::kViolated;
   so_far.message = (count == 0 ? "a gap" : "an overlap") + beside;
-  so_far.witness = WitnessAt(static_cast<int>(pair_.first), pair_.edge, sample,
-                             "covered " + std::to_string(count) + " times",
-                             at_least ? "at least once" : "exactly once");
+  so_far.witness =
+      WitnessAt(static_cast<int>(pair_.first), pair_.edge, sample, {"covered ", count, " times"},
+                {at_least ? "at least once" : "exactly once"});
   return so_far;
 }
 

@@ -104,10 +104,10 @@ class MeshJudge {
     ++exercised_;
     if (is_right) return std::nullopt;
     const bool at_least = count < least && legal::SharesTies(mesh_.c.profile);
-    Witness witness = WitnessAt(-1, -1, place, "covered " + std::to_string(count) + " times",
-                                least == 0 ? "outside: never"
-                                : at_least ? "at least once"
-                                           : "exactly once");
+    Witness witness = WitnessAt(-1, -1, place, {"covered ", count, " times"},
+                                {least == 0 ? "outside: never"
+                                 : at_least ? "at least once"
+                                            : "exactly once"});
     Verdict verdict = Verdict::Violated(
         exercised_, count < least ? "a gap in the mesh" : "a sample covered too often", witness);
     verdict.not_judged = not_judged_;

@@ -33,7 +33,7 @@ Verdict SignedCoverageIs(const PlacedCase& c, const CoverageCounts& counts,
     }
     ++exercised;
     if (is_right) continue;
-    witness.expected = "front - back = " + std::to_string(expected[k]) + ", " + what;
+    witness.expected = {"front - back = ", expected[k], ", " + what};
     return Verdict::Violated(exercised, "signed coverage is not " + what, witness);
   }
   Verdict verdict = Verdict::Held(exercised);

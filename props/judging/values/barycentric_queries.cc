@@ -107,9 +107,8 @@ Checks AskBarycentrics(const std::vector<BarycentricQuery>& queries,
                   });
 }
 
-std::string BarycentricsText(const std::array<double, 3>& barycentrics) {
-  return HexText(barycentrics[0]) + ", " + HexText(barycentrics[1]) + ", " +
-         HexText(barycentrics[2]);
+WitnessValue Listed(const std::array<double, 3>& barycentrics) {
+  return {barycentrics[0], ", ", barycentrics[1], ", ", barycentrics[2]};
 }
 
 bool AreFinite(const std::array<double, 3>& barycentrics) {
@@ -156,12 +155,13 @@ std::vector<std::array<double, 3>> SomeAttributes(const PlacedCase& c, const Bar
 }
 
 Verdict BarycentricViolation(const BarycentricQuery& q, int entry, std::uint64_t exercised,
-                             const std::string& property, const std::string& observed,
-                             const std::string& expected) {
-  return Verdict::Violated(exercised,
-                           property + ": triangle " + HexText(q.v[0]) + " " + HexText(q.v[1]) +
-                               " " + HexText(q.v[2]) + " at " + HexText(q.place.at),
-                           WitnessAt(q.triangle, entry, q.place, observed, expected));
+                             const std::string& property, WitnessValue observed,
+                             WitnessValue expected) {
+  return Verdict::Violated(
+      exercised,
+      property + ": triangle " + HexText(q.v[0]) + " " + HexText(q.v[1]) + " " + HexText(q.v[2]) +
+          " at " + HexText(q.place.at),
+      WitnessAt(q.triangle, entry, q.place, std::move(observed), std::move(expected)));
 }
 
 }  // namespace rasterproof::props

@@ -60,7 +60,7 @@ Checks AskBarycentrics(const std::vector<BarycentricQuery>& queries,
                        Verdict (*judge)(const std::vector<BarycentricAnswer>&));
 
 /// The three barycentrics, for a witness.
-std::string BarycentricsText(const std::array<double, 3>& barycentrics);
+WitnessValue Listed(const std::array<double, 3>& barycentrics);
 
 bool AreFinite(const std::array<double, 3>& barycentrics);
 /// How far finite barycentrics, added exactly, are from a sum of one.
@@ -75,8 +75,8 @@ std::vector<std::array<double, 3>> SomeAttributes(const PlacedCase& c, const Bar
 
 /// A violation at a query; `entry` is the vertex (and so the edge opposite it) in question, or -1.
 Verdict BarycentricViolation(const BarycentricQuery& q, int entry, std::uint64_t exercised,
-                             const std::string& property, const std::string& observed,
-                             const std::string& expected);
+                             const std::string& property, WitnessValue observed,
+                             WitnessValue expected);
 
 }  // namespace rasterproof::props
 

@@ -114,15 +114,11 @@ Questions ValuesAt(std::span<const BoundedEdge> edges) {
 }
 
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& property,
-                      const std::string& observed, const std::string& expected) {
+                      WitnessValue observed, WitnessValue expected) {
   return Verdict::Violated(
       exercised,
       property + ": edge " + HexText(q.a) + " -> " + HexText(q.b) + " at " + HexText(q.place.at),
-      WitnessAt(q.triangle, q.edge, q.place, observed, expected));
-}
-
-std::string ExactEdgeText(Point2 a, Point2 b, Point2 p) {
-  return "E = " + exact::EdgeValue(a, b, p).ToString();
+      WitnessAt(q.triangle, q.edge, q.place, std::move(observed), std::move(expected)));
 }
 
 Checks EdgeValuesFollow(const PlacedCase& c, const Description& subject,
@@ -138,9 +134,9 @@ Checks EdgeValuesFollow(const PlacedCase& c, const Description& subject,
       const double expected = factor * answers.edges[of];
       const double observed = answers.edges[edges.size() + k];
       if (AgreeWithin(observed, expected, -1, image_bound, scaled_bound)) continue;
-      return EdgeViolation(edges[of].query, k + 1, wrong, HexText(observed),
-                           HexText(expected) + " within " + HexText(image_bound + scaled_bound) +
-                               "; " + ExactEdgeText(image.a, image.b, image.p) + " of the image");
+      return EdgeViolation(edges[of].query, k + 1, wrong, {observed},
+                           {expected, " within ", image_bound + scaled_bound,
+                            "; E = ", ExactEdge(image.a, image.b, image.p), " of the image"});
     }
     return Verdict::Held(images.size());
   });

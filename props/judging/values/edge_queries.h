@@ -46,10 +46,7 @@ Questions ValuesAt(std::span<const BoundedEdge> edges);
 
 /// A violation at a query: the property's claim, and the values that contradict it.
 Verdict EdgeViolation(const EdgeQuery& q, std::uint64_t exercised, const std::string& property,
-                      const std::string& observed, const std::string& expected);
-
-/// "E = p/q" for the witness: the exact value of E(a, b; p).
-std::string ExactEdgeText(Point2 a, Point2 b, Point2 p);
+                      WitnessValue observed, WitnessValue expected);
 
 /// A map of the plane onto itself, (x, y) -> (sx x + tx, sy y + ty), then x and y exchanged if
 /// `transpose`. E of the images is `factor` times E.

@@ -447,10 +447,11 @@ Checks AskFragments(const PlacedCase& c, const Description& subject, const Outpu
 }
 
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
-                          const std::string& property, const std::string& observed,
-                          const std::string& expected) {
+                          const std::string& property, WitnessValue observed,
+                          WitnessValue expected) {
   const std::string of_which = fragment.asked_alone ? property + ", asked for alone" : property;
-  return BarycentricViolation(fragment.query, entry, exercised, of_which, observed, expected);
+  return BarycentricViolation(fragment.query, entry, exercised, of_which, std::move(observed),
+                              std::move(expected));
 }
 
 }  // namespace rasterproof::props

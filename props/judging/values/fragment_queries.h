@@ -84,8 +84,8 @@ std::array<double, 3> BarycentricTolerancesInPixel(const SubjectInfo& info,
 
 /// A violation at a fragment.
 Verdict FragmentViolation(const Fragment& fragment, int entry, std::uint64_t exercised,
-                          const std::string& property, const std::string& observed,
-                          const std::string& expected);
+                          const std::string& property, WitnessValue observed,
+                          WitnessValue expected);
 
 }  // namespace rasterproof::props
 

@@ -110,7 +110,7 @@ Verdict InterpolationsStayWithinTheirBound(const std::vector<InterpolationAnswer
       return BarycentricViolation(q.at, -1, exercised,
                                   "value interpolated " + std::string(InterpolationName(form)) +
                                       " outside its proven bound",
-                                  HexText(value), exact->ToString() + " within " + HexText(bound));
+                                  {value}, {Exactly(*exact), " within ", bound});
     }
     worst = std::max(worst, distance.ratio);
   }

@@ -57,9 +57,9 @@ Verdict WithinItsBound(const SteppingQuery& stepping, const std::vector<double>&
     const Point2 p = AfterSteps(stepping, n);
     const Distance distance = CompareWithEdge(values[k], q.a, q.b, p, bounds[k]);
     if (!distance.within) {
-      return EdgeViolation(
-          q, exercised, "stepping outside its proven bound " + StepsText(stepping, n),
-          HexText(values[k]), ExactEdgeText(q.a, q.b, p) + " within " + HexText(bounds[k]));
+      return EdgeViolation(q, exercised,
+                           "stepping outside its proven bound " + StepsText(stepping, n),
+                           {values[k]}, {"E = ", ExactEdge(q.a, q.b, p), " within ", bounds[k]});
     }
     worst = std::max(worst, distance.ratio);
   }
@@ -149,8 +149,8 @@ std::optional<Verdict> WrongLength(const SteppingQuery& stepping, std::size_t va
   const std::size_t wanted = static_cast<std::size_t>(stepping.steps) + 1;
   if (values == wanted && bounds == wanted) return std::nullopt;
   return EdgeViolation(stepping.from, 1, "a stepping of the wrong length",
-                       std::to_string(values) + " values, " + std::to_string(bounds) + " bounds",
-                       std::to_string(wanted) + " of each");
+                       {std::to_string(values) + " values, " + std::to_string(bounds) + " bounds"},
+                       {std::to_string(wanted) + " of each"});
 }
 
 Checks StepsStayWithinTheirBound(std::span<const SteppingQuery> steppings,

@@ -67,8 +67,8 @@ Verdict AreAsExpected(const std::vector<ExpectedDistance>& expected, const Answe
     const double observed = answers.distances[e.question][static_cast<std::size_t>(e.edge)];
     ++exercised;
     if (!std::isfinite(observed) || !IsAsExpected(e, observed)) {
-      return BarycentricViolation(e.query, e.edge, exercised, property, HexText(observed),
-                                  HexText(e.rounded) + " within " + HexText(e.bound));
+      return BarycentricViolation(e.query, e.edge, exercised, property, {observed},
+                                  {e.rounded, " within ", e.bound});
     }
     worst = std::max(worst, std::fabs(observed - e.rounded) / e.bound);
   }

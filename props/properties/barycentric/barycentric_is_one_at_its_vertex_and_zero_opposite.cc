@@ -54,7 +54,7 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
             q, i, exercised,
             std::string("barycentric (") + std::string(FormName(form)) +
                 (at_vertex ? ") is not one at its vertex" : ") is not zero on the opposite edge"),
-            HexText(barycentrics[k]), HexText(expected) + " within " + HexText(bounds[k]));
+            {barycentrics[k]}, {expected, " within ", bounds[k]});
       }
     }
   }

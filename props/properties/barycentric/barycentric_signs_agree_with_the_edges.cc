@@ -37,7 +37,7 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
         return BarycentricViolation(
             q, i, exercised,
             "barycentric (" + std::string(FormName(form)) + ") of the wrong sign outside its band",
-            HexText(barycentrics[k]), lambda.ToString() + ", band " + HexText(bounds[k]));
+            {barycentrics[k]}, {Exactly(lambda), ", band ", bounds[k]});
       }
     }
   }

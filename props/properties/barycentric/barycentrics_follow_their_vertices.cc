@@ -48,8 +48,8 @@ Verdict Judge(const std::vector<InEveryOrder>& queries, const Answers& answers) 
         return BarycentricViolation(
             q, static_cast<int>(i), exercised,
             "barycentric (" + std::string(FormName(form)) + ") does not follow its vertex",
-            HexText(reordered[k]) + " as entry " + std::to_string(k),
-            HexText(barycentrics[i]) + " within " + HexText(bounds[i] + bound));
+            {reordered[k], " as entry " + std::to_string(k)},
+            {barycentrics[i], " within ", bounds[i] + bound});
       }
     }
   }

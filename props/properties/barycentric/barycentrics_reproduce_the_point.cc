@@ -49,17 +49,16 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
       const std::string property =
           "barycentrics (" + std::string(FormName(form)) + ") do not reproduce the sample";
       if (!std::ranges::all_of(barycentrics, [](double x) { return std::isfinite(x); })) {
-        return BarycentricViolation(q, -1, exercised, property, BarycentricsText(barycentrics),
-                                    "finite barycentrics");
+        return BarycentricViolation(q, -1, exercised, property, Listed(barycentrics),
+                                    {"finite barycentrics"});
       }
       const Reproduced x = Reproduce(barycentrics, bounds, {q.v[0].x, q.v[1].x, q.v[2].x}, p.x);
       const Reproduced y = Reproduce(barycentrics, bounds, {q.v[0].y, q.v[1].y, q.v[2].y}, p.y);
       if (x.distance <= x.bound && y.distance <= y.bound) continue;
-      return BarycentricViolation(q, -1, exercised, property, BarycentricsText(barycentrics),
-                                  "off by at most (" + HexText(x.bound.ToDoubleUp()) + ", " +
-                                      HexText(y.bound.ToDoubleUp()) + "), not (" +
-                                      HexText(x.distance.ToDouble()) + ", " +
-                                      HexText(y.distance.ToDouble()) + ")");
+      return BarycentricViolation(
+          q, -1, exercised, property, Listed(barycentrics),
+          {"off by at most (", x.bound.ToDoubleUp(), ", ", y.bound.ToDoubleUp(), "), not (",
+           x.distance.ToDouble(), ", ", y.distance.ToDouble(), ")"});
     }
   }
   return Verdict::Held(exercised);

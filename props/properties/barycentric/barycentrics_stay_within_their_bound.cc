@@ -40,7 +40,7 @@ Verdict Judge(const std::vector<BarycentricAnswer>& answers) {
           return BarycentricViolation(
               q, static_cast<int>(i), exercised,
               "barycentric (" + std::string(FormName(form)) + ") outside its proven bound",
-              HexText(barycentrics[i]), (*lambda)[i].ToString() + " within " + HexText(bounds[i]));
+              {barycentrics[i]}, {Exactly((*lambda)[i]), " within ", bounds[i]});
         }
         worst = std::max(worst, distance->ratio);
       }

@@ -32,14 +32,14 @@ Verdict Judge(const std::vector<BoundedSum>& sums, const Answers& answers) {
     const auto& [q, form, bound] = sums[k];
     const std::array<double, 3>& l = answers.barycentrics[k];
     ++exercised;
-    const auto violated = [&](const std::string& expected) {
+    const auto violated = [&](WitnessValue expected) {
       return BarycentricViolation(
           q, -1, exercised, "barycentrics (" + std::string(FormName(form)) + ") do not sum to one",
-          BarycentricsText(l), expected);
+          Listed(l), std::move(expected));
     };
-    if (!AreFinite(l)) return violated("finite barycentrics");
+    if (!AreFinite(l)) return violated({"finite barycentrics"});
     const Distance distance = DistanceFromSumOne(l, bound);
-    if (!distance.within) return violated("a sum of 1 within " + HexText(bound));
+    if (!distance.within) return violated({"a sum of 1 within ", bound});
     worst = std::max(worst, distance.ratio);
   }
   return Verdict::Held(exercised, worst);

@@ -27,9 +27,10 @@ Verdict Judge(const std::vector<CentroidFragment>& fragments) {
     if (!distance.within && !HasAPoint(f.region)) continue;
     ++exercised;
     if (!distance.within) {
+      const std::array<double, 3>& l = f.barycentrics;
       return BarycentricViolation(
           f.query, -1, exercised, "the centroid of a fragment lies elsewhere than stated",
-          "barycentrics " + BarycentricsText(f.barycentrics), "those of " + f.region.words);
+          {"barycentrics ", l[0], ", ", l[1], ", ", l[2]}, {"those of " + f.region.words});
     }
     worst = std::max(worst, distance.ratio);
   }

@@ -30,11 +30,10 @@ Verdict Judge(const std::vector<BoundedPair>& pairs, const Answers& answers) {
     const double by_deltas = answers.interpolations[2 * k + 1];
     ++exercised;
     if (AgreeWithin(by_deltas, by_barycentrics, -1, deltas_bound, barycentrics_bound)) continue;
-    return BarycentricViolation(q.at, -1, exercised,
-                                "depth by deltas differs from depth by barycentrics",
-                                HexText(by_deltas) + " by deltas",
-                                HexText(by_barycentrics) + " by barycentrics, within " +
-                                    HexText(deltas_bound + barycentrics_bound));
+    return BarycentricViolation(
+        q.at, -1, exercised, "depth by deltas differs from depth by barycentrics",
+        {by_deltas, " by deltas"},
+        {by_barycentrics, " by barycentrics, within ", deltas_bound + barycentrics_bound});
   }
   return Verdict::Held(exercised);
 }

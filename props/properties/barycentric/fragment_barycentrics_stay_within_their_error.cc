@@ -67,10 +67,10 @@ bool SomeLegalChoiceExplains(const Fragment& f) {
 Verdict JudgeAnyChoice(const Fragment& f) {
   if (!std::ranges::all_of(f.barycentric_tolerances, IsStated)) return Verdict::Held(0);
   if (AreFinite(*f.barycentrics) && SomeLegalChoiceExplains(f)) return Verdict::Held(1);
-  return FragmentViolation(f, -1, 1, std::string(kOff) + " for every legal choice",
-                           BarycentricsText(*f.barycentrics),
-                           "barycentrics within " + HexText(f.barycentric_tolerances[0]) +
-                               " of those of legal places of its vertices");
+  return FragmentViolation(f, -1, 1, std::string(kOff).append(" for every legal choice"),
+                           Listed(*f.barycentrics),
+                           {"barycentrics within ", f.barycentric_tolerances[0],
+                            " of those of legal places of its vertices"});
 }
 
 // By the places that the query has.
@@ -85,10 +85,9 @@ Verdict JudgeKnown(const Fragment& f) {
     ++exercised;
     const Distance distance = CompareWithExact(barycentrics[i], exact_barycentrics[i], bound);
     if (!distance.within) {
-      return FragmentViolation(f, static_cast<int>(i), exercised, std::string(kOff),
-                               BarycentricsText(barycentrics),
-                               exact_barycentrics[i].ToString() + " within " + HexText(bound) +
-                                   " for vertex " + std::to_string(i));
+      return FragmentViolation(
+          f, static_cast<int>(i), exercised, std::string(kOff), Listed(barycentrics),
+          {Exactly(exact_barycentrics[i]), " within ", bound, " for vertex " + std::to_string(i)});
     }
     worst = std::max(worst, distance.ratio);
   }

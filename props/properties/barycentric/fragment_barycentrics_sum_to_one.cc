@@ -29,13 +29,13 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
     ++exercised;
     const std::string property = "the barycentrics of a fragment do not sum to one";
     if (!AreFinite(barycentrics)) {
-      return FragmentViolation(f, -1, exercised, property, BarycentricsText(barycentrics),
-                               "finite barycentrics");
+      return FragmentViolation(f, -1, exercised, property, Listed(barycentrics),
+                               {"finite barycentrics"});
     }
     const Distance distance = DistanceFromSumOne(barycentrics, bound);
     if (!distance.within) {
-      return FragmentViolation(f, -1, exercised, property, BarycentricsText(barycentrics),
-                               "a sum of 1 within " + HexText(bound));
+      return FragmentViolation(f, -1, exercised, property, Listed(barycentrics),
+                               {"a sum of 1 within ", bound});
     }
     worst = std::max(worst, distance.ratio);
   }

@@ -31,16 +31,16 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
     ++exercised;
     const std::string property = "the depth of a fragment is not what its barycentrics give";
     if (!AreFinite(*f.barycentrics)) {
-      return FragmentViolation(f, -1, exercised, property, BarycentricsText(*f.barycentrics),
-                               "finite barycentrics");
+      return FragmentViolation(f, -1, exercised, property, Listed(*f.barycentrics),
+                               {"finite barycentrics"});
     }
     for (std::size_t i = 0; i < 3; ++i) {
       by_barycentrics += exact::Rational((*f.barycentrics)[i]) * exact::Rational(f.z[i]);
     }
     const Distance distance = CompareWithExact(f.depth, by_barycentrics, bound);
     if (!distance.within) {
-      return FragmentViolation(f, -1, exercised, property, HexText(f.depth),
-                               HexText(by_barycentrics.ToDouble()) + " within " + HexText(bound));
+      return FragmentViolation(f, -1, exercised, property, {f.depth},
+                               {by_barycentrics.ToDouble(), " within ", bound});
     }
     worst = std::max(worst, distance.ratio);
   }

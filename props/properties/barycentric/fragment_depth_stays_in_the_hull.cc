@@ -25,10 +25,8 @@ Verdict Judge(const std::vector<Fragment>& fragments) {
     // The nearest depth of the hull; NaN has none, and is within of nothing.
     const double nearest = std::isfinite(f.depth) ? std::clamp(f.depth, low, high) : low;
     if (CompareWithExact(f.depth, exact::Rational(nearest), f.depth_tolerance).within) continue;
-    return FragmentViolation(f, -1, exercised, "the depth of a fragment leaves the hull",
-                             HexText(f.depth),
-                             "a depth of [" + HexText(low) + ", " + HexText(high) + "] within " +
-                                 HexText(f.depth_tolerance));
+    return FragmentViolation(f, -1, exercised, "the depth of a fragment leaves the hull", {f.depth},
+                             {"a depth of [", low, ", ", high, "] within ", f.depth_tolerance});
   }
   return Verdict::Held(exercised);
 }

@@ -26,9 +26,8 @@ Verdict Judge(const std::vector<InterpolationAnswer>& answers) {
     if (AgreeWithin(value, end, -1, bound, 0)) continue;
     return BarycentricViolation(
         q.at, -1, exercised,
-        "value interpolated " + std::string(InterpolationName(form)) + " leaves the hull",
-        HexText(value),
-        "[" + HexText(least) + ", " + HexText(greatest) + "] within " + HexText(bound));
+        "value interpolated " + std::string(InterpolationName(form)) + " leaves the hull", {value},
+        {"[", least, ", ", greatest, "] within ", bound});
   }
   return Verdict::Held(exercised);
 }

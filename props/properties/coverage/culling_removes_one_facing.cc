@@ -80,7 +80,7 @@ Witness FirstCovered(const CoverageCounts& counts) {
   std::size_t k = 0;
   while (counts.Count(k) == 0) ++k;
   Witness witness = WitnessAtIndex(counts, k);
-  witness.observed = std::to_string(counts.Count(k));
+  witness.observed = {counts.Count(k)};
   return witness;
 }
 
@@ -100,13 +100,13 @@ Verdict RemovesOneSide(const CoverageCounts& without_front, const CoverageCounts
   const bool is_stated = stated == FrontFace::kPositiveArea;
   if (ShowsAnything(without_front) && kept == 0) {
     Witness witness = FirstCovered(without_front);
-    witness.expected = "0";
+    witness.expected = {std::int64_t{0}};
     return Verdict::Violated(
         1, std::string(kReferenceWords) + " is culled neither as front nor as back", witness);
   }
   if (is_stated && kept == -facing) {
     Witness witness = FirstCovered(kept > 0 ? without_back : without_front);
-    witness.expected = "0";
+    witness.expected = {std::int64_t{0}};
     return Verdict::Violated(
         1,
         "the profile says that the side of positive area is the front, and culling takes the other",
@@ -115,7 +115,7 @@ Verdict RemovesOneSide(const CoverageCounts& without_front, const CoverageCounts
   const CoverageCounts& left = kept > 0 ? without_back : without_front;
   if (tells && kept != 0 && ShownFacing(left) != kept) {
     Witness witness = FirstCovered(left);
-    witness.expected = std::string(kept > 0 ? "front" : "back") + " counts alone";
+    witness.expected = {kept > 0 ? "front counts alone" : "back counts alone"};
     return Verdict::Violated(1, "what culling leaves is counted on the side that it removes",
                              witness);
   }
@@ -163,8 +163,8 @@ Verdict LeavesOneFacing(const PlacedCase& drawn, const std::vector<LegalTriangle
     const bool is_missing = counts.Count(k) == 0 && least != 0 && !may_drop;
     if (counts.Count(k) <= most && !is_missing) continue;
     Witness witness = at;
-    witness.observed = std::to_string(counts.Count(k));
-    witness.expected = is_missing ? "1 or more" : "at most " + std::to_string(most);
+    witness.observed = {counts.Count(k)};
+    witness.expected = is_missing ? WitnessValue{1, " or more"} : WitnessValue{"at most ", most};
     return Verdict::Violated(1,
                              std::string("culling of ") +
                                  (cull == Cull::kFront ? "front" : "back") +

@@ -36,9 +36,9 @@ Verdict HasOneFacing(const CoverageCounts& counts, int triangle) {
   witness.triangle = triangle;
   const Witness other =
       WitnessAtIndex(counts, static_cast<std::size_t>(front - counts.front.begin()));
-  witness.observed = "back";
-  witness.expected = "front, as at sample " + std::to_string(other.sample) + " of pixel (" +
-                     std::to_string(other.x) + ", " + std::to_string(other.y) + ")";
+  witness.observed = {"back"};
+  witness.expected = {
+      "front, as at sample ", other.sample, " of pixel (", other.x, ", ", other.y, ")"};
   return Verdict::Violated(1, "a triangle alone is front at one sample and back at another",
                            witness);
 }
@@ -51,8 +51,8 @@ Verdict WrongFacing(const CoverageCounts& counts, int triangle, int wanted, std:
   const auto at = std::ranges::find_if(side, covered);
   Witness witness = WitnessAtIndex(counts, static_cast<std::size_t>(at - side.begin()));
   witness.triangle = triangle;
-  witness.observed = NameOfFacing(-wanted);
-  witness.expected = NameOfFacing(wanted);
+  witness.observed = {NameOfFacing(-wanted)};
+  witness.expected = {NameOfFacing(wanted)};
   return Verdict::Violated(1, std::move(message), witness);
 }
 
@@ -121,9 +121,9 @@ Verdict NoSideIsShownTooOften(const PlacedCase& drawn, const CoverageCounts& cou
     if (counts.front[k] <= most[0] && counts.back[k] <= most[1]) continue;
     const bool is_front = counts.front[k] > most[0];
     Witness witness = at;
-    witness.observed = std::to_string(is_front ? counts.front[k] : counts.back[k]) + " " +
-                       NameOfFacing(is_front ? 1 : -1);
-    witness.expected = "at most " + std::to_string(is_front ? most[0] : most[1]);
+    witness.observed = {is_front ? counts.front[k] : counts.back[k], " ",
+                        NameOfFacing(is_front ? 1 : -1)};
+    witness.expected = {"at most ", is_front ? most[0] : most[1]};
     return Verdict::Violated(1,
                              "in one call behind " + std::string(kReferenceWords) +
                                  " more triangles show a side than have it by their areas",

@@ -140,8 +140,8 @@ Verdict OnceInside(const Rectangles& rectangles, const CoverageCounts& observed)
       if (first) continue;
       first = Witness{.x = static_cast<int>(x),
                       .y = row,
-                      .observed = "covered " + std::to_string(count) + " times",
-                      .expected = std::to_string(expected[x])};
+                      .observed = {"covered ", count, " times"},
+                      .expected = {expected[x]}};
     }
   }
   if (!first) return Verdict::Held(judged);

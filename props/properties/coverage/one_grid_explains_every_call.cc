@@ -211,8 +211,8 @@ Verdict NoGrid(const std::vector<Asked>& asked, const legal::CallsVerdict& verdi
              (grids.IsEmpty() ? ": no grid explains it" : ": " + grids.Text() + " subpixel bits");
   }
   Witness witness;
-  witness.observed = needs;
-  witness.expected = "one number of subpixel bits that explains every call on this target";
+  witness.observed = {needs};
+  witness.expected = {"one number of subpixel bits that explains every call on this target"};
   const bool is_one = verdict.conflict.size() == 1;
   return Verdict::Violated(exercised,
                            is_one ? "no legal grid explains a call by itself: " + needs

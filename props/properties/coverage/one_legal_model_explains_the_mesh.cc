@@ -104,11 +104,10 @@ Verdict NoModel(const PlacedCase& c, const CoverageCounts& shape, std::uint64_t 
   if (!triangles.empty()) witness.triangle = static_cast<int>(triangles.front());
   const std::string names = Names(triangles);
   const bool is_one = triangles.empty() || names == std::to_string(triangles.front());
-  witness.observed = SeenText(c, core);
-  witness.expected =
-      "one legal grid, a place for each vertex and owners of samples on edges that "
-      "explain " +
-      std::string(is_one ? "it" : "them together");
+  witness.observed = {SeenText(c, core)};
+  witness.expected = {
+      "one legal grid, a place for each vertex and owners of samples on edges that explain ",
+      is_one ? "it" : "them together"};
   return Verdict::Violated(exercised,
                            triangles.empty() ? "no legal model explains a sample by itself"
                            : is_one ? "no legal model explains triangle " + names + " by itself"

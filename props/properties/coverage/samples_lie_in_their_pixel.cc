@@ -191,7 +191,8 @@ class Judge {
           if (!covered && (strips.along_rows ? in_an_end_column : in_an_end_row)) continue;
           left.See(strips, covered);
           if (!left.IsEmpty()) continue;
-          Violate(k, covered ? "the ruler's strips cover it" : "the ruler's strips do not cover it",
+          Violate(k,
+                  {covered ? "the ruler's strips cover it" : "the ruler's strips do not cover it"},
                   false);
           violated_ = OfDraw(draw, *std::move(violated_));
         }
@@ -220,8 +221,7 @@ class Judge {
           region.TakeAway(square, *reach.least);
         }
         if (!region.IsEmpty()) continue;
-        Violate(k,
-                "triangle " + std::to_string(t) + (covered ? " covers it" : " does not cover it"),
+        Violate(k, {"triangle " + std::to_string(t), covered ? " covers it" : " does not cover it"},
                 covered ? is_apart : is_inside);
         violated_->witness->triangle = static_cast<int>(t);
       }
@@ -244,8 +244,8 @@ class Judge {
         RegionOf(k).KeepWithin(square, mesh.OpenPlaces(square));
         if (!RegionOf(k).IsEmpty()) continue;
         Violate(k,
-                mesh.words + " covers it " + std::to_string(count) +
-                    (mesh.is_folded ? " times, front minus back" : " times"),
+                {mesh.words + " covers it ", count,
+                 mesh.is_folded ? " times, front minus back" : " times"},
                 false);
         violated_ = OfDraw(draw, *std::move(violated_));
       }
@@ -267,15 +267,15 @@ class Judge {
   }
   SampleRegion& RegionOf(std::size_t k) { return regions_[RegionIndex(k)]; }
 
-  void Violate(std::size_t k, std::string observed, bool wherever) {
+  void Violate(std::size_t k, WitnessValue observed, bool wherever) {
     Witness witness = WitnessAtIndex(shape_, k);
     witness.observed = std::move(observed);
-    witness.expected = wherever ? "what holds wherever in its closed pixel the sample lies"
-                       : is_fixed_
-                           ? "one place in the closed pixel, the same in all, that explains this "
-                             "and what was drawn before"
-                           : "one place in the closed pixel that explains this and what was drawn "
-                             "before";
+    witness.expected = {wherever ? "what holds wherever in its closed pixel the sample lies"
+                        : is_fixed_
+                            ? "one place in the closed pixel, the same in all, that explains this "
+                              "and what was drawn before"
+                            : "one place in the closed pixel that explains this and what was drawn "
+                              "before"};
     violated_ = Verdict::Violated(exercised_, "no place in its pixel explains a sample", witness);
   }
 

@@ -54,10 +54,9 @@ Verdict Judge(const std::vector<Rotation>& rotations, const Answers& answers) {
     const double area = answers.edges[rotation.area];
     const double rotated = answers.edges[rotation.rotated];
     if (AgreeWithin(rotated, area, -1, bound, rotation.area_bound)) continue;
-    return EdgeViolation(q, exercised, "twice the area depends on the first vertex",
-                         HexText(rotated),
-                         HexText(area) + " within " + HexText(rotation.area_bound + bound) + "; " +
-                             ExactEdgeText(q.a, q.b, q.place.at));
+    return EdgeViolation(
+        q, exercised, "twice the area depends on the first vertex", {rotated},
+        {area, " within ", rotation.area_bound + bound, "; E = ", ExactEdge(q.a, q.b, q.place.at)});
   }
   return Verdict::Held(exercised);
 }

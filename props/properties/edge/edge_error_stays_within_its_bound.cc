@@ -26,8 +26,8 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
       const Point2 p = q.place.at;
       const Distance distance = CompareWithEdge(value, q.a, q.b, p, bound);
       if (!distance.within) {
-        return EdgeViolation(q, k + 1, "edge value outside its proven bound", HexText(value),
-                             ExactEdgeText(q.a, q.b, p) + " within " + HexText(bound));
+        return EdgeViolation(q, k + 1, "edge value outside its proven bound", {value},
+                             {"E = ", ExactEdge(q.a, q.b, p), " within ", bound});
       }
       worst = std::max(worst, distance.ratio);
     }

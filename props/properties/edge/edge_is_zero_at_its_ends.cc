@@ -40,8 +40,8 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
       const auto& [q, bound] = ends[k];
       const double value = answers.edges[k];
       if (std::fabs(value) <= bound) continue;  // NaN is not
-      return EdgeViolation(q, k + 1, "not zero at an end of the edge", HexText(value),
-                           "0 within " + HexText(bound));
+      return EdgeViolation(q, k + 1, "not zero at an end of the edge", {value},
+                           {std::int64_t{0}, " within ", bound});
     }
     return Verdict::Held(ends.size());
   });

@@ -35,8 +35,8 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
       // A wrong sign: excused only within the band |E| <= bound, which a bound of 0 leaves empty.
       if (bound > 0 && exact::EdgeValue(q.a, q.b, p).Abs() <= exact::Rational(bound)) continue;
       ++exercised;
-      return EdgeViolation(q, exercised, "wrong sign outside the proven band", HexText(value),
-                           ExactEdgeText(q.a, q.b, p) + ", band " + HexText(bound));
+      return EdgeViolation(q, exercised, "wrong sign outside the proven band", {value},
+                           {"E = ", ExactEdge(q.a, q.b, p), ", band ", bound});
     }
     return Verdict::Held(exercised);
   });

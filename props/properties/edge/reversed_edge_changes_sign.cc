@@ -47,10 +47,9 @@ Verdict Judge(const std::vector<EdgeBothWays>& edges, const Answers& answers) {
     const double value = answers.edges[2 * k];
     const double reversed = answers.edges[2 * k + 1];
     if (AgreeWithin(reversed, value, +1, reversed_bound, bound)) continue;
-    return EdgeViolation(q, k + 1, "the reversed edge is not the negative",
-                         HexText(reversed) + " reversed",
-                         HexText(-value) + " within " + HexText(bound + reversed_bound) + "; " +
-                             ExactEdgeText(q.a, q.b, q.place.at) + " forwards");
+    return EdgeViolation(q, k + 1, "the reversed edge is not the negative", {reversed, " reversed"},
+                         {-value, " within ", bound + reversed_bound,
+                          "; E = ", ExactEdge(q.a, q.b, q.place.at), " forwards"});
   }
   return Verdict::Held(edges.size());
 }

@@ -38,8 +38,8 @@ Verdict LookAround(const CoverageCounts& counts, const CoverageCounts& before,
                    const PixelRect& rect) {
   if (!KeptItsShape(counts, before)) {
     return Verdict::Violated(1, "the draw changed the shape of its target",
-                             {.observed = std::to_string(counts.front.size()) + " samples",
-                              .expected = std::to_string(before.front.size())});
+                             {.observed = {std::ssize(counts.front), " samples"},
+                              .expected = {std::ssize(before.front)}});
   }
   std::uint64_t guarded = 0;
   for (int row = 0; row < counts.height; ++row) {

@@ -24,9 +24,8 @@ Verdict Judge(const SteppingQuery& stepping, const std::vector<int>& exact_steps
     const double direct = answers.edges[k];
     if (walked == direct) continue;
     return EdgeViolation(
-        q, k + 1, "stepping differs from direct evaluation " + StepsText(stepping, n),
-        HexText(walked),
-        HexText(direct) + " evaluated afresh; " + ExactEdgeText(q.a, q.b, AfterSteps(stepping, n)));
+        q, k + 1, "stepping differs from direct evaluation " + StepsText(stepping, n), {walked},
+        {direct, " evaluated afresh; E = ", ExactEdge(q.a, q.b, AfterSteps(stepping, n))});
   }
   return Verdict::Held(exact_steps.size());
 }

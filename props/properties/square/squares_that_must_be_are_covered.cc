@@ -53,8 +53,8 @@ Check ShowsSomewhere(const PlacedCase& c, std::size_t t) {
     }
     Witness witness;
     witness.triangle = static_cast<int>(t);
-    witness.observed = "no square";
-    witness.expected = "one square at least";
+    witness.observed = {"no square"};
+    witness.expected = {"one square at least"};
     return Verdict::Violated(1, "squares: a flat triangle that must be drawn falls through",
                              std::move(witness));
   };

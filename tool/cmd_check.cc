@@ -37,7 +37,6 @@
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
-#include "tool/catalogue.h"
 #include "tool/causes.h"
 #include "tool/check_json.h"
 #include "tool/commands.h"
@@ -46,7 +45,6 @@
 #include "tool/failure.h"
 #include "tool/file_names.h"
 #include "tool/findings.h"
-#include "tool/float_modes.h"
 #include "tool/interrupt.h"
 #include "tool/known_failures.h"
 #include "tool/outside.h"
@@ -419,8 +417,6 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
 
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
-  if (options.catalogue) return CheckCatalogue(options);
-  if (!options.float_modes.empty()) return CheckFloatModes(options);
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   io::RequireFileCanBe(options.cases_json);

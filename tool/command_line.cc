@@ -289,6 +289,22 @@ constexpr auto kFormer = std::to_array<std::pair<std::string_view, std::string_v
     {"ver", "pipe judge"},
 });
 
+// Options of check that moved, and what to write now.
+constexpr auto kMoved = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"--catalogue", "compare"},
+    {"--family", "compare --families NAME"},
+    {"--fp-env", "compare --mode ftz"},
+});
+
+void RequireHere(const std::string& verb, std::string_view option) {
+  if (verb != "check") return;
+  for (const auto& [old, now] : kMoved) {
+    if (option.substr(0, option.find('=')) != old) continue;
+    throw InputError(fmt::format("check {}", old), "this is now a verb of its own",
+                     fmt::format("write rasterproof {}", now));
+  }
+}
+
 // Left to itself the parser would say that a verb is missing, not that this one is unknown.
 void RequireVerb(const CLI::App& app, const std::string& name) {
   std::vector<std::string> verbs;
@@ -355,6 +371,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   end_group("Every day");
   AddSceneVerbs(app, run);
   end_group("One scene");
+  AddCompare(app, run, own);
   AddSurvey(app, run, own);
   AddBench(app, run, typed);
   AddClimb(app, run);
@@ -368,6 +385,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddDoctor(app, run);
   end_group("Development");
   if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);
+  for (int k = 2; k < argc; ++k) RequireHere(argv[1], argv[k]);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

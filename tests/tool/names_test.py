@@ -37,7 +37,7 @@ class Names(unittest.TestCase):
         self.told("list", "mutnts", "did you mean mutants?")
         self.told("check", "--cases", "ten", "ten is no number above 0")
         self.told("check", "--subject", "lib/mine.so", "--plugin lib/mine.so")
-        self.told("check", "--fp-env", "ftz,daz,up,down,zero,trap")
+        self.told("compare", "--mode", "ftz,daz,up,down,zero,trap")
         self.told("check", "--profile", "watertight", "--subject", "i64-snap8",
                      "it is a contract: write '{\"contract\": \"watertight\"}'")
         self.told("coverage", SCENE, "--png", "x.jpg", "name it .png or .ppm")

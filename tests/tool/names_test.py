@@ -107,7 +107,7 @@ class Names(unittest.TestCase):
         self.assertEqual(groups, [
             ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
             ("One scene", ["coverage", "legal", "plan"]),
-            ("Campaign", ["survey", "bench", "climb", "sweep", "pipe", "vectors"]),
+            ("Campaign", ["compare", "survey", "bench", "climb", "sweep", "pipe", "vectors"]),
             ("Development", ["convert", "selftest", "widths", "doctor"])])  # fmt: skip
 
     def test_keys_of_files(self):

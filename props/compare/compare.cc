@@ -41,45 +41,29 @@ void AddReading(const Case& given, const Reading& reading, std::size_t samples, 
   cell.furthest = reading.furthest;
 }
 
-class Comparing {
- public:
-  Comparing(const Row& row, std::span<const Yardstick> yardsticks)
-      : row_(row), yardsticks_(yardsticks), cells_(yardsticks.size()) {}
-
-  bool IsGivenUp() const { return stops_ >= kMostStops; }
-
-  void Take(std::uint64_t index) {
-    const Case given = row_.at(index);
-    const CaseAtHand at(index, given);
-    std::vector<std::pair<Judging, Cell*>> judgings;
-    for (std::size_t k = 0; k < yardsticks_.size(); ++k) {
-      Judging judging = yardsticks_[k](at);
-      if (judging.why_not.empty()) {
-        judgings.emplace_back(std::move(judging), &cells_[k]);
-      } else {
-        Excuse(judging.why_not, cells_[k]);
-      }
-    }
-    if (judgings.empty()) return;
-    const Drawn drawn = row_.draw(at);
-    stops_ += EndsTheCall(drawn.end.stop) ? 1 : 0;
-    for (const auto& [judging, cell] : judgings) {
-      if (drawn.end.stop != Stop::kNone) {
-        AddEnd(given, drawn.end, *cell);
-      } else {
-        AddReading(given, judging.read(drawn), drawn.drawing->counts.size(), *cell);
-      }
+// Puts the yardsticks to a case. Returns whether the draw ended the subject or took it too long.
+bool Take(const Row& row, std::span<const Yardstick> yardsticks, const CaseAtHand& at,
+          std::vector<Cell>& cells) {
+  std::vector<std::pair<Judging, Cell*>> judgings;
+  for (std::size_t k = 0; k < yardsticks.size(); ++k) {
+    Judging judging = yardsticks[k](at);
+    if (!judging.why_not.empty()) {
+      Excuse(judging.why_not, cells[k]);
+    } else {
+      judgings.emplace_back(std::move(judging), &cells[k]);
     }
   }
-
-  std::vector<Cell> Cells() { return std::move(cells_); }
-
- private:
-  const Row& row_;
-  std::span<const Yardstick> yardsticks_;
-  std::vector<Cell> cells_;
-  std::uint64_t stops_ = 0;
-};
+  if (judgings.empty()) return false;
+  const Drawn drawn = row.draw(at);
+  for (const auto& [judging, cell] : judgings) {
+    if (drawn.end.stop != Stop::kNone) {
+      AddEnd(at.given, drawn.end, *cell);
+    } else {
+      AddReading(at.given, judging.read(drawn), drawn.drawing->counts.size(), *cell);
+    }
+  }
+  return EndsTheCall(drawn.end.stop);
+}
 
 }  // namespace
 
@@ -90,12 +74,14 @@ std::vector<Cell> CompareRow(const Row& row, std::span<const Yardstick> yardstic
     const double seconds = std::chrono::duration<double>(Clock::now() - began).count();
     return (limits.seconds > 0 && seconds >= limits.seconds) || (limits.stop && limits.stop());
   };
-  Comparing comparing(row, yardsticks);
-  for (std::uint64_t k = 0; k < row.cases && !comparing.IsGivenUp() && !is_over(); ++k) {
-    comparing.Take(k);
+  std::vector<Cell> cells(yardsticks.size());
+  std::uint64_t stops = 0;
+  for (std::uint64_t k = 0; k < row.cases && stops < kMostStops && !is_over(); ++k) {
+    const Case given = row.at(k);
+    stops += Take(row, yardsticks, {k, given}, cells) ? 1 : 0;
     if (limits.progress) limits.progress(k + 1);
   }
-  return comparing.Cells();
+  return cells;
 }
 
 }  // namespace rasterproof::props

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/bench_result.h"
-#include "report/catalogue.h"
 #include "report/certificate.h"
+#include "report/comparison.h"
 
 namespace rasterproof::report {
 

@@ -1,4 +1,4 @@
-// The options of check and certify: the verbs that put the catalogue to the test.
+// The options of check, compare and certify: the verbs that put subjects to the test.
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -57,18 +57,7 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
   verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
   AddSubjects(verb, options.subjects, own);
-  CLI::Option* const properties =
-      verb->add_option("--property", options.properties, "Properties (default: all)");
-  CLI::Option* const catalogue = verb->add_flag(
-      "--catalogue", options.catalogue,
-      "Families of stiff and extreme cases, each compared with the subject's own model and with "
-      "real geometry, in place of properties");
-  for (CLI::Option* other : {properties, verb->get_option("scenes"), verb->get_option("--case")})
-    catalogue->excludes(other);
-  verb->add_option("--family", options.families,
-                   "Families of the catalogue, domains and small worlds (default: all)")
-      ->needs(catalogue)
-      ->allow_extra_args(false);
+  verb->add_option("--property", options.properties, "Properties (default: all)");
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device,
                  "Put the subject's numbers into the legal set that --profile names: its subpixel "
@@ -78,50 +67,33 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   CLI::Option* const no_cause =
       verb->add_flag("--no-cause", options.no_cause,
                      "Don't look for what explains the violations, which takes a few seconds");
-  CLI::Option* const cause_seconds = verb->add_option_function<std::string>(
-                                             "--cause-seconds",
-                                             [](const std::string& text) {
-                                               options.cause_seconds =
-                                                   ParseSeconds("--cause-seconds", text);
-                                             },
-                                             "Time to look for causes, as 30s or 2m: a quarter for "
-                                             "the subject to draw, the rest, of "
-                                             "processor time, to compare suspects with that")
-                                         ->default_str(fmt::format("{}s", options.cause_seconds))
-                                         ->excludes(no_cause);
-  CLI::Option* const verbose =
-      verb->add_flag("--verbose", options.verbose,
-                     "Every property's line and every failure in full, not one screen");
-  CLI::Option* const fail_fast = verb->add_flag(
+  verb->add_option_function<std::string>(
+          "--cause-seconds",
+          [](const std::string& text) {
+            options.cause_seconds = ParseSeconds("--cause-seconds", text);
+          },
+          "Time to look for causes, as 30s or 2m: a quarter for "
+          "the subject to draw, the rest, of "
+          "processor time, to compare suspects with that")
+      ->default_str(fmt::format("{}s", options.cause_seconds))
+      ->excludes(no_cause);
+  verb->add_flag("--verbose", options.verbose,
+                 "Every property's line and every failure in full, not one screen");
+  verb->add_flag(
       "--fail-fast", options.fail_fast,
       "End with the first violation that fails the run; what runs beside it is finished");
   CLI::Option* const cases_json = verb->add_option(
       "--cases-json", options.cases_json,
       "File for a line of JSON a drawn case: its name, its samples on and near edges, its outcome");
-  for (CLI::Option* other : {catalogue, verb->get_option("scenes"), verb->get_option("--case")})
+  for (CLI::Option* other : {verb->get_option("scenes"), verb->get_option("--case")})
     cases_json->excludes(other);
   AddCampaign(verb, options.campaign);
   AddListLength(verb, options.list_length);
-  CLI::Option* const fp_env =
-      verb->add_option(
-              "--fp-env", options.float_modes,
-              "How often coverage depends on the caller's floating-point mode, in place of "
-              "properties: some of ftz, daz, up, down, zero, trap")
-          ->delimiter(',')
-          ->type_name("ftz,daz,up,down,zero,trap")
-          ->allow_extra_args(false);
-  for (CLI::Option* other : {properties, catalogue, cases_json, verb->get_option("scenes"),
-                             verb->get_option("--case"), verb->get_option("--seconds")})
-    fp_env->excludes(other);
-  CLI::Option* const json = verb->add_option(
-      "--json", options.json, "What was found as JSON (- for standard output, in place of text)");
-  CLI::Option* const known = verb->add_option(
+  verb->add_option("--json", options.json,
+                   "What was found as JSON (- for standard output, in place of text)");
+  verb->add_option(
       "--known", options.known,
       "File of known failures, each with who mends it and until when: only others fail the run");
-  for (CLI::Option* of_properties : {verbose, fail_fast, json, known, cause_seconds}) {
-    of_properties->excludes(catalogue);
-    of_properties->excludes(fp_env);
-  }
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);
   AddCount(
@@ -131,6 +103,48 @@ void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   verb->callback([&run, own] {
     if (options.subjects.empty()) options.subjects = {own};
     run = [] { return UntilInterrupted(RunCheck, options); };
+  });
+}
+
+void AddCompare(CLI::App& app, Run& run, const std::string& own) {
+  static CompareOptions options;
+  CLI::App* verb = app.add_subcommand(
+      "compare", "Compare a subject on families of stiff cases with models, subjects or itself");
+  verb->add_option("scenes", options.scenes, "Scene files or meshes (default: all families)");
+  AddSubjects(verb, options.subjects, own);
+  verb->add_option("--families", options.families,
+                   "Families of cases, domains and small worlds (default: all)")
+      ->delimiter(',')
+      ->type_name("NAME,...")
+      ->allow_extra_args(false)
+      ->excludes(verb->get_option("scenes"));
+  verb->add_option("--by", options.by,
+                   "Yardsticks: own (the model it is judged by), real (real geometry), or other "
+                   "subjects")
+      ->delimiter(',')
+      ->type_name("own,real,SUBJECT")
+      ->default_str("own,real")
+      ->allow_extra_args(false);
+  CLI::Option* const mode =
+      verb->add_option("--mode", options.modes,
+                       "With itself in these floating-point modes of its caller, on the cases of "
+                       "EnvironmentKeepsCoverage")
+          ->delimiter(',')
+          ->type_name("ftz,daz,up,down,zero,trap")
+          ->allow_extra_args(false);
+  for (const char* other : {"scenes", "--families", "--by"})
+    mode->excludes(verb->get_option(other));
+  verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
+  verb->add_flag("--device", options.device, "As in check");
+  AddCampaign(verb, options.campaign, "family");
+  AddListLength(verb, options.list_length);
+  verb->add_option("--save", options.save, "Folder for the worst case of each cell that fails");
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  AddFailOn(verb, options.fail_on);
+  AddJobs(verb, options.jobs, "Families");
+  verb->callback([&run, own] {
+    if (options.subjects.empty()) options.subjects = {own};
+    run = [] { return UntilInterrupted(RunCompare, options); };
   });
 }
 

@@ -275,8 +275,11 @@ void OpenStandardFiles() {
   }
 }
 
-// Verbs of earlier versions, and what to write now.
+// Verbs and options of earlier versions, and what to write now.
 constexpr auto kFormer = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"check --catalogue", "compare"},
+    {"check --family", "compare --families NAME"},
+    {"check --fp-env", "compare --mode ftz"},
     {"decided", "legal SCENE --decided --profile P"},
     {"decode", "convert FILE --to case --subject S"},
     {"diff", "coverage SCENE --subject S --against exact"},
@@ -289,18 +292,22 @@ constexpr auto kFormer = std::to_array<std::pair<std::string_view, std::string_v
     {"ver", "pipe judge"},
 });
 
+void RequireNotFormer(const std::string& place, const std::string& words) {
+  for (const auto& [old, now] : kFormer) {
+    if (words != old) continue;
+    throw InputError(place,
+                     fmt::format("{} is now a part of {}", words, now.substr(0, now.find(' '))),
+                     fmt::format("write rasterproof {}", now));
+  }
+}
+
 // Left to itself the parser would say that a verb is missing, not that this one is unknown.
 void RequireVerb(const CLI::App& app, const std::string& name) {
   std::vector<std::string> verbs;
   for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
   if (std::ranges::find(verbs, name) != verbs.end()) return;
   const std::string place = fmt::format("verb '{}'", name);
-  for (const auto& [old, now] : kFormer) {
-    if (name != old) continue;
-    throw InputError(place,
-                     fmt::format("{} is now a part of {}", name, now.substr(0, now.find(' '))),
-                     fmt::format("write rasterproof {}", now));
-  }
+  RequireNotFormer(place, name);
   throw InputError(place, "there is no such verb",
                    Suggestion(name, verbs) + "rasterproof --help lists them");
 }
@@ -355,6 +362,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   end_group("Every day");
   AddSceneVerbs(app, run);
   end_group("One scene");
+  AddCompare(app, run, own);
   AddSurvey(app, run, own);
   AddBench(app, run, typed);
   AddClimb(app, run);
@@ -368,6 +376,10 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddDoctor(app, run);
   end_group("Development");
   if (argc > 1 && argv[1][0] != '-') RequireVerb(app, argv[1]);
+  for (int k = 2; k < argc; ++k) {
+    const std::string_view option = argv[k];
+    RequireNotFormer(argv[1], fmt::format("{} {}", argv[1], option.substr(0, option.find('='))));
+  }
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

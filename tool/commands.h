@@ -108,15 +108,30 @@ struct CheckOptions {
   bool no_cause = false;  ///< violations are not explained
   /// At most, for what explains them.
   double cause_seconds = props::kCauseSeconds;
-  std::string known;                     ///< file of failures that fail nothing; empty: none
-  std::string json;                      ///< file; empty: none
-  bool verbose = false;                  ///< every line, and every failure in full
-  bool fail_fast = false;                ///< ends with the first violation
-  bool catalogue = false;                ///< families of stiff cases, not properties
-  std::vector<std::string> families;     ///< these alone; empty: all
-  std::vector<std::string> float_modes;  ///< what --fp-env names, not properties
+  std::string known;       ///< file of failures that fail nothing; empty: none
+  std::string json;        ///< file; empty: none
+  bool verbose = false;    ///< every line, and every failure in full
+  bool fail_fast = false;  ///< ends with the first violation
 };
 int RunCheck(const CheckOptions& options);
+
+/// Cases by yardsticks.
+struct CompareOptions {
+  std::vector<std::string> subjects;
+  std::vector<std::string> scenes;             ///< rows: scene files; empty: families
+  std::vector<std::string> families;           ///< rows: these alone; empty: all
+  std::vector<std::string> by{"own", "real"};  ///< columns: these, or names of other subjects
+  std::vector<std::string> modes;              ///< rows: floating-point modes of the subject itself
+  std::string profile;                         ///< judge by this one instead of the subject's own
+  bool device = false;                         ///< with the numbers of its device in it
+  props::CampaignOptions campaign;
+  std::size_t list_length = 0;  ///< 0: the subject's own
+  FailOn fail_on = FailOn::kStated;
+  std::string save;  ///< folder for the worst case of each cell that fails
+  std::string json;  ///< file; empty: none
+  int jobs = 1;      ///< rows at once
+};
+int RunCompare(const CompareOptions& options);
 
 /// Cases `first` to `end` - 1 of a campaign.
 struct CaseRange {

@@ -62,6 +62,9 @@ int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
 /// Adds check, whose subject is `own` unless one is named.
 void AddCheck(CLI::App& app, Run& run, const std::string& own);
 
+/// Adds compare, whose subject is `own` unless one is named.
+void AddCompare(CLI::App& app, Run& run, const std::string& own);
+
 /// Adds certify, whose subject is `own` unless one is named.
 void AddCertify(CLI::App& app, Run& run, const std::string& own);
 

@@ -1,5 +1,5 @@
 // Which scenes a mode that flushes subnormal numbers could change.
-#include "props/float_modes/can_touch.h"
+#include "props/compare/can_touch.h"
 
 #include <gtest/gtest.h>
 

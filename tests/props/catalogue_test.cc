@@ -1,6 +1,4 @@
 // The catalogue has every family, passes what is right by a yardstick and fails what is not.
-#include "props/catalogue/catalogue.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,8 +13,11 @@
 #include "core/subject_info.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
+#include "props/compare/families.h"
+#include "props/compare/yardsticks.h"
 #include "props/domains/domain.h"
 #include "props/domains/worlds.h"
+#include "props/run/description.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tests/props/faulty_subjects.h"
@@ -28,12 +29,23 @@ using testing::RealInfo;
 using testing::SnappedInfo;
 
 Family FamilyOf(std::string_view name) {
-  const std::vector<Family> families = Catalogue();
+  const std::vector<Family> families = Families();
   return *std::ranges::find(families, name, &Family::name);
 }
 
-FamilyResult Measured(Subject& subject, std::string_view family, std::uint64_t cases = 40) {
-  return MeasureFamily(subject, FamilyOf(family), {.cases = cases});
+// By own model, then by real geometry.
+std::vector<Cell> Cells(Subject& subject, std::string_view family, std::uint64_t cases = 40,
+                        std::uint64_t seed = 1) {
+  const Description description = DescriptionOf(subject);
+  const std::vector<Yardstick> yardsticks{OwnModel(description), RealGeometry(description)};
+  FamilyPlan plan;
+  plan.seed = seed;
+  plan.cases = cases;
+  return CompareFamily(subject, FamilyOf(family), yardsticks, plan);
+}
+
+Cell Own(Subject& subject, std::string_view family, std::uint64_t cases = 40) {
+  return Cells(subject, family, cases).front();
 }
 
 std::unique_ptr<Subject> Mutant(const char* name) { return subjects::MakeMutant(name); }
@@ -43,14 +55,14 @@ TEST(Catalogue, HasEveryDomainAndEveryWorldOnce) {
   for (const Domain& domain : Domains()) expected.insert(domain.name);
   for (const World& world : Worlds()) expected.insert(world.name);
   std::multiset<std::string_view> there;
-  for (const Family& family : Catalogue()) there.insert(family.name);
+  for (const Family& family : Families()) there.insert(family.name);
   EXPECT_EQ(there, expected);
 }
 
 TEST(Catalogue, ASoundSubjectStandsOnBothYardsticksWhereItsModelIsRealGeometry) {
   FakeSubject subject = testing::Sound(RealInfo());
   for (const char* family : {"needles", "near-edge", "grids", "degenerate", "product-overflow"}) {
-    for (const FamilyCell& cell : Measured(subject, family).cells) {
+    for (const Cell& cell : Cells(subject, family)) {
       EXPECT_EQ(cell.wrong, 0U) << family << " " << cell.why;
       EXPECT_EQ(cell.cases + cell.excused, 40U) << family;
       EXPECT_GT(cell.cases, 0U) << family;
@@ -60,24 +72,24 @@ TEST(Catalogue, ASoundSubjectStandsOnBothYardsticksWhereItsModelIsRealGeometry) 
 
 TEST(Catalogue, ASnapIsRightByItsModelAndDisplacedFromRealGeometry) {
   FakeSubject subject = testing::Sound(SnappedInfo(4));
-  const FamilyResult result = Measured(subject, "snap-ties", 200);
-  EXPECT_EQ(result.By(Yardstick::kOwnModel).wrong, 0U);
-  const FamilyCell& real = result.By(Yardstick::kRealGeometry);
+  const std::vector<Cell> cells = Cells(subject, "snap-ties", 200);
+  EXPECT_EQ(cells[0].wrong, 0U);
+  const Cell& real = cells[1];
   EXPECT_GT(real.wrong, 0U);
-  EXPECT_GT(real.worst_pixels, 0);
-  EXPECT_LE(real.worst_pixels, std::hypot(0.5, 0.5) / 16);  // half a step each way
+  EXPECT_GT(real.WorstPixels(), 0);
+  EXPECT_LE(real.WorstPixels(), std::hypot(0.5, 0.5) / 16);  // half a step each way
   ASSERT_TRUE(real.worst);
 }
 
 TEST(Catalogue, AWrongRuleFailsWhereItIsDecidedAndNowhereElse) {
   const std::unique_ptr<Subject> subject = Mutant("mutant:ties-inclusive");
-  EXPECT_TRUE(Measured(*subject, "vertices-on-samples").By(Yardstick::kOwnModel).Fails());
-  EXPECT_FALSE(Measured(*subject, "needles").By(Yardstick::kOwnModel).Fails());
+  EXPECT_TRUE(Own(*subject, "vertices-on-samples").Fails());
+  EXPECT_FALSE(Own(*subject, "needles").Fails());
 }
 
 TEST(Catalogue, TheWorstCaseFailsAgain) {
   const std::unique_ptr<Subject> subject = subjects::MakeBuiltin("f32-direct");
-  const FamilyCell own = Measured(*subject, "needles").By(Yardstick::kOwnModel);
+  const Cell own = Own(*subject, "needles");
   ASSERT_TRUE(own.worst);
   CoverageCounts drawn(own.worst->scene.width, own.worst->scene.height);
   DrawOnto(*subject, own.worst->scene, own.worst->options, drawn);
@@ -90,7 +102,7 @@ TEST(Catalogue, WhatASetLeavesOpenIsNotHeldAgainstASubject) {
     const std::unique_ptr<Subject> subject = Mutant(name);
     ASSERT_NE(subject, nullptr) << name;
     for (const char* family : {"snap-ties", "shared-edge", "vertices-on-samples"}) {
-      const FamilyCell own = Measured(*subject, family).By(Yardstick::kOwnModel);
+      const Cell own = Own(*subject, family);
       EXPECT_FALSE(own.Fails()) << name << " " << family << " " << own.why;
     }
   }
@@ -102,18 +114,18 @@ TEST(Catalogue, ASubjectThatEndsFailsAndIsGivenUpAfterFour) {
     ++calls;
     throw SubjectStop(Stop::kBrokeDown, "killed by signal 11");
   });
-  const FamilyResult result = Measured(subject, "grids");
+  const std::vector<Cell> cells = Cells(subject, "grids");
   EXPECT_EQ(calls, 4U);
-  for (const FamilyCell& cell : result.cells) {
+  for (const Cell& cell : cells) {
     EXPECT_EQ(cell.wrong, 4U);
-    EXPECT_TRUE(std::isinf(cell.worst_pixels));
+    EXPECT_TRUE(std::isinf(cell.WorstPixels()));
     EXPECT_EQ(cell.why, "killed by signal 11");
   }
 }
 
 TEST(Catalogue, ASubjectOfWindowSpaceIsExcusedFromClipSpaceWithTheReason) {
   FakeSubject subject = testing::Sound(RealInfo());
-  const FamilyCell own = Measured(subject, "mixed-w").By(Yardstick::kOwnModel);
+  const Cell own = Own(subject, "mixed-w");
   EXPECT_EQ(own.cases, 0U);
   EXPECT_FALSE(own.why.empty());
 }
@@ -121,17 +133,17 @@ TEST(Catalogue, ASubjectOfWindowSpaceIsExcusedFromClipSpaceWithTheReason) {
 // Of 100 cases of this family a seed may draw one whose vertices are all finite.
 TEST(Catalogue, AFamilyOfWhatTheProfileDoesNotStateIsExcusedForThatAndElseDrawn) {
   FakeSubject one = testing::Sound(SnappedInfo(8));
-  const FamilyCell excused = Measured(one, "pattern-lines").By(Yardstick::kOwnModel);
+  const Cell excused = Own(one, "pattern-lines");
   EXPECT_EQ(excused.cases, 0U);
   EXPECT_EQ(excused.why, "the profile states nothing that the family is about");
   SubjectInfo info = SnappedInfo(8);
   info.profile.pattern = *StandardPattern(4);
   FakeSubject four = testing::Sound(info);
-  const FamilyCell drawn = Measured(four, "pattern-lines").By(Yardstick::kOwnModel);
+  const Cell drawn = Own(four, "pattern-lines");
   EXPECT_EQ(drawn.cases, 40U) << drawn.why;
   EXPECT_EQ(drawn.wrong, 0U);
   FakeSubject inclusive = testing::Inclusive(info);
-  EXPECT_TRUE(Measured(inclusive, "pattern-lines").By(Yardstick::kOwnModel).Fails());
+  EXPECT_TRUE(Own(inclusive, "pattern-lines").Fails());
 }
 
 TEST(Catalogue, AFamilyOfWhichHardlyAnyCaseIsJudgedIsExcusedUnlessThatFails) {
@@ -139,24 +151,22 @@ TEST(Catalogue, AFamilyOfWhichHardlyAnyCaseIsJudgedIsExcusedUnlessThatFails) {
   FakeSubject wrong(SnappedInfo(8), [](const Scene&, const DrawOptions&, CoverageCounts& counts) {
     for (std::uint32_t& count : counts.front) count += 3;
   });
-  const Family family = FamilyOf("non-finite");
   std::uint64_t fails = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const CataloguePlan plan{.seed = seed, .cases = 100};
-    const FamilyCell cell = MeasureFamily(sound, family, plan).By(Yardstick::kOwnModel);
+    const Cell cell = Cells(sound, "non-finite", 100, seed).front();
     EXPECT_EQ(cell.cases, 0U) << seed;
     EXPECT_EQ(cell.excused, 100U) << seed;
-    fails += MeasureFamily(wrong, family, plan).By(Yardstick::kOwnModel).wrong;
+    fails += Cells(wrong, "non-finite", 100, seed).front().wrong;
   }
   EXPECT_GT(fails, 0U);
 }
 
 TEST(Catalogue, AWorldIsExhaustedOrExcused) {
   FakeSubject subject = testing::Sound(RealInfo());
-  EXPECT_EQ(Measured(subject, "pairs-3x3").By(Yardstick::kOwnModel).cases, 0U);
-  const FamilyResult whole = MeasureFamily(subject, FamilyOf("pairs-3x3"), {.cases = 66});
-  EXPECT_TRUE(whole.By(Yardstick::kOwnModel).is_exhausted);
-  EXPECT_EQ(whole.By(Yardstick::kOwnModel).cases, 6561U);
+  EXPECT_EQ(Own(subject, "pairs-3x3").cases, 0U);
+  const Cell whole = Own(subject, "pairs-3x3", 66);
+  EXPECT_TRUE(whole.is_exhausted);
+  EXPECT_EQ(whole.cases, 6561U);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // A survey counts what was planted, keeps its first case, and counts nothing of a right rasterizer.
-#include "props/survey/survey.h"
+#include "props/compare/survey.h"
 
 #include <gtest/gtest.h>
 

@@ -37,7 +37,7 @@ class Names(unittest.TestCase):
         self.told("list", "mutnts", "did you mean mutants?")
         self.told("check", "--cases", "ten", "ten is no number above 0")
         self.told("check", "--subject", "lib/mine.so", "--plugin lib/mine.so")
-        self.told("check", "--fp-env", "ftz,daz,up,down,zero,trap")
+        self.told("compare", "--mode", "ftz,daz,up,down,zero,trap")
         self.told("check", "--profile", "watertight", "--subject", "i64-snap8",
                      "it is a contract: write '{\"contract\": \"watertight\"}'")
         self.told("coverage", SCENE, "--png", "x.jpg", "name it .png or .ppm")
@@ -107,7 +107,7 @@ class Names(unittest.TestCase):
         self.assertEqual(groups, [
             ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
             ("One scene", ["coverage", "legal", "plan"]),
-            ("Campaign", ["survey", "bench", "climb", "sweep", "pipe", "vectors"]),
+            ("Campaign", ["compare", "survey", "bench", "climb", "sweep", "pipe", "vectors"]),
             ("Development", ["convert", "selftest", "widths", "doctor"])])  # fmt: skip
 
     def test_keys_of_files(self):

@@ -27,8 +27,8 @@
 #include "tool/certify/certify.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
-#include "tool/check/catalogue.h"
 #include "tool/commands.h"
+#include "tool/compare/comparison.h"
 #include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
@@ -144,13 +144,12 @@ constexpr std::int64_t kMostPixelsOfReport = std::int64_t{1} << 26;
 
 void WriteCatalogue(const std::string& output, const report::Catalogue& catalogue) {
   io::MakeFolder(output + "/families");
-  for (std::size_t k = 0; k < catalogue.families.size(); ++k) {
-    const report::CatalogueFamily& family = catalogue.families[k];
-    const std::string path = output + "/" + report::FamilyPagePath(family);
+  for (std::size_t k = 0; k < catalogue.table.rows.size(); ++k) {
+    const std::string path = output + "/" + report::FamilyPagePath(catalogue.table.rows[k]);
     io::WriteFile(path + ".html", report::FamilyPageToHtml(catalogue, k));
-    if (family.picture) io::WriteFile(path + ".svg", family.picture->svg);
+    if (const auto& picture = catalogue.pictures[k]) io::WriteFile(path + ".svg", picture->svg);
   }
-  io::WriteFile(output + "/catalogue.json", report::CatalogueToJson(catalogue));
+  io::WriteFile(output + "/catalogue.json", report::ComparisonToJson(catalogue.table));
 }
 
 // The page of all subjects comes last: what it leads to and shows is then there, each file whole.
@@ -394,13 +393,13 @@ int Certify(const CertifyOptions& options, const Source& source) {
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);
   }
   if (options.catalogue) {
-    page.catalogue = MeasureCatalogues(subjects,
-                                       {.seed = options.campaign.seed,
-                                        .cases = options.campaign.cases,
-                                        .seconds = options.campaign.seconds,
-                                        .most_pixels = kMostPixelsOfReport,
-                                        .stop = Interrupted},
-                                       options.jobs);
+    page.catalogue =
+        MeasureCatalogues(subjects,
+                          {.seed = options.campaign.seed,
+                           .cases = options.campaign.cases,
+                           .most_pixels = kMostPixelsOfReport,
+                           .limits = {.seconds = options.campaign.seconds, .stop = Interrupted}},
+                          options.jobs);
   }
   const std::string path = WritePages(options.output, page);
   io::WriteStandardOutput(Summary(page.certificates, subjects.size(), options.all) +

@@ -37,12 +37,9 @@
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
-#include "tool/certify/evidence.h"
-#include "tool/check/catalogue.h"
 #include "tool/check/causes.h"
 #include "tool/check/check_json.h"
 #include "tool/check/findings.h"
-#include "tool/check/float_modes.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
@@ -419,8 +416,6 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
 
 int RunCheck(const CheckOptions& options) {
   RequireHonestEnvironment();
-  if (options.catalogue) return CheckCatalogue(options);
-  if (!options.float_modes.empty()) return CheckFloatModes(options);
   const ResolvedCheck asked = ResolveCheck(options);
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   io::RequireFileCanBe(options.cases_json);

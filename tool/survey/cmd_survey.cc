@@ -11,9 +11,9 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "props/compare/survey.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
-#include "props/survey/survey.h"
 #include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/commands.h"
@@ -184,9 +184,8 @@ std::vector<DomainSurvey> SurveyAll(Crew& crew, const SurveyOptions& options,
     plan.model = model;
     plan.seed = options.campaign.seed;
     plan.cases = options.campaign.cases;
-    plan.seconds = options.campaign.seconds;
-    plan.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
-    plan.stop = Interrupted;
+    plan.limits = {options.campaign.seconds, Interrupted,
+                   [&](std::uint64_t done) { progress.Done(done, worker); }};
     surveys[k] = props::SurveyDomain(crew.Of(worker), domains[k].name, plan);
     progress.Stage("", 0, worker);
   });

@@ -8,7 +8,6 @@
 #include <iostream>
 #include <map>
 #include <numeric>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -45,14 +44,6 @@ struct SweepRow {
 
   bool IsDrawn() const { return note.empty() && outcome.HasDrawn(); }
   bool Differs() const { return note.empty() && outcome.Differs(); }
-  std::size_t Cases() const {
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < outcome.changes.size(); ++k) {
-      const auto& changes = outcome.changes;
-      if (k == 0 || changes[k].number_of_case != changes[k - 1].number_of_case) ++count;
-    }
-    return count;
-  }
   std::string Note() const {
     std::string text = note.empty() ? outcome.failure : note;
     const auto is_emulated = [](const Choice& c) { return c.value == "aarch64"; };
@@ -89,7 +80,7 @@ class Sweep {
   const std::vector<SweepRow>& rows() const { return rows_; }
   const std::vector<Difference>& differences() const { return differences_; }
   /// Of each group from the model; the base's is the first.
-  const std::vector<DistanceFromModel>& distances() const { return distances_; }
+  const std::vector<Cell>& distances() const { return distances_; }
 
  private:
   void InParallel(std::size_t first, std::size_t count, const std::string& what,
@@ -150,15 +141,11 @@ class Sweep {
 
   void FindDistances() {
     const std::size_t cases = runner_.cases().size();
-    std::vector<std::optional<ModelOfCase>> models(cases);
+    std::vector<props::Judging> models(cases, {kNotReached});
     InParallel(0, cases, "the model of each case",
-               [&](std::size_t k) { models[k].emplace(runner_.info(), runner_.cases()[k]); });
+               [&](std::size_t k) { models[k] = ModelOfCase(runner_.info(), runner_.cases()[k]); });
     for (const std::size_t row : first_rows_) {
-      DistanceFromModel& distance = distances_.emplace_back();
-      for (std::size_t k = 0; k < cases; ++k) {
-        if (models[k]) AddDistance(runner_, k, *models[k], rows_[row].outcome, distance);
-      }
-      if (distance.cases + distance.cases_not_judged == 0) distance.why_not = kNotReached;
+      distances_.push_back(DistanceFromModel(runner_, rows_[row].outcome, models));
     }
   }
 
@@ -220,7 +207,7 @@ class Sweep {
   std::vector<SweepRow> rows_;
   std::vector<Difference> differences_;
   std::vector<std::size_t> first_rows_;  ///< of each group
-  std::vector<DistanceFromModel> distances_;
+  std::vector<Cell> distances_;
 };
 
 std::string GroupName(std::size_t group) {
@@ -263,7 +250,7 @@ std::string Table(const SweepRunner& runner, const Sweep& sweep) {
     const bool is_drawn = row.IsDrawn();
     text += fmt::format("{:>8} {:>6} {:<6}{}",
                         is_drawn ? std::to_string(row.outcome.changes.size()) : "-",
-                        is_drawn ? std::to_string(row.Cases()) : "-",
+                        is_drawn ? std::to_string(row.outcome.cell.wrong) : "-",
                         is_drawn ? GroupName(row.group) : "-", BuildName(row.build.choices));
     if (const std::string note = row.Note(); !note.empty()) text += "  [" + note + "]";
     if (const std::string first = FirstChange(runner, row); is_drawn && !first.empty()) {
@@ -309,20 +296,20 @@ void AddRow(report::JsonWriter& json, const SweepRunner& runner, const SweepRow&
   json.Key("drawn").Bool(row.IsDrawn());
   if (row.IsDrawn()) {
     json.Key("samples").Integer(row.outcome.changes.size());
-    json.Key("cases").Integer(row.Cases());
+    json.Key("cases").Integer(row.outcome.cell.wrong);
     json.Key("group").Text(GroupName(row.group));
     json.Key("first").Text(FirstChange(runner, row));
   }
   json.Key("note").Text(row.Note()).EndObject();
 }
 
-void AddGroup(report::JsonWriter& json, std::size_t group, const DistanceFromModel& distance) {
+void AddGroup(report::JsonWriter& json, std::size_t group, const Cell& distance) {
   json.BeginObject().Key("name").Text(GroupName(group));
   json.Key("samples").Integer(distance.samples).Key("cases").Integer(distance.cases);
-  json.Key("samples_away").Integer(distance.samples_away);
-  json.Key("cases_away").Integer(distance.cases_away);
-  json.Key("cases_not_judged").Integer(distance.cases_not_judged);
-  json.Key("why_not").Text(distance.why_not).EndObject();
+  json.Key("samples_away").Integer(distance.wrong_samples);
+  json.Key("cases_away").Integer(distance.wrong);
+  json.Key("cases_not_judged").Integer(distance.excused);
+  json.Key("why_not").Text(distance.why).EndObject();
 }
 
 std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptions& options) {

@@ -1,12 +1,18 @@
 #include "tool/sweep/sweep_model.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
 
+#include "core/drawing.h"
 #include "core/profile.h"
 #include "core/verdict.h"
 #include "fmt/format.h"
 #include "legal/allowed.h"
 #include "props/judging/gate.h"
+#include "props/placed_case.h"
 #include "props/property.h"
 #include "props/run/description.h"
 #include "tool/resolve.h"
@@ -47,50 +53,44 @@ Drawing Changed(Drawing drawing, const std::vector<ChangedSample>& changes, std:
 
 }  // namespace
 
-ModelOfCase::ModelOfCase(const SubjectInfo& info, const Case& given) {
+props::Judging ModelOfCase(const SubjectInfo& info, const Case& given) {
   Case whole = given;
   whole.options = {};
   const props::PlacedCase c = props::Place(whole, true);
-  why_not_ = WhyNotJudged(info, whole, c);
-  if (!why_not_.empty()) return;
+  if (std::string why = WhyNotJudged(info, whole, c); !why.empty()) return {std::move(why)};
   legal::Sight sight{.coverage = info.coverage};
   if (ShowsPrimitiveIds(info)) sight.ids = info.fragments.visible;
-  allowed_.emplace(c, sight);
-  why_not_ = allowed_->why_not();
+  const legal::Allowed allowed(c, sight);
+  return {allowed.why_not(), [allowed](const props::Drawn& drawn) {
+            return props::Reading{.wrong = allowed.Wrong(*drawn.drawing)};
+          }};
 }
 
-std::uint64_t ModelOfCase::Away(const Drawing& drawn) const {
-  return allowed_->Wrong(drawn).size();
+Cell DistanceFromModel(const SweepRunner& runner, const SweepOutcome& outcome,
+                       const std::vector<props::Judging>& models) {
+  const props::Row row{
+      .cases = models.size(),
+      .at = [&](std::uint64_t k) { return runner.cases()[k]; },
+      .draw = [&](const props::CaseAtHand& at) -> props::Drawn {
+        const Drawing* const base = runner.BaseDrawing(at.index);
+        if (base == nullptr ||
+            std::ranges::find(outcome.changes, ChangedSample{at.index}) != outcome.changes.end()) {
+          return {{Stop::kRefused, "the base or this build refuses it"}, nullptr};
+        }
+        return {{}, std::make_shared<const Drawing>(Changed(*base, outcome.changes, at.index))};
+      }};
+  return props::CompareRow(row, {{[&](const props::CaseAtHand& at) { return models[at.index]; }}})
+      .front();
 }
 
-void AddDistance(const SweepRunner& runner, std::size_t number, const ModelOfCase& model,
-                 const SweepOutcome& outcome, DistanceFromModel& sum) {
-  const Drawing* const base = runner.BaseDrawing(number);
-  const bool is_refused =
-      base == nullptr ||
-      std::ranges::find(outcome.changes, ChangedSample{number}) != outcome.changes.end();
-  if (is_refused || !model.why_not().empty()) {
-    if (sum.cases_not_judged++ != 0) return;
-    sum.why_not = is_refused ? "the base or this build refuses it" : model.why_not();
-    return;
-  }
-  const std::uint64_t away = model.Away(Changed(*base, outcome.changes, number));
-  ++sum.cases;
-  sum.samples += base->counts.size();
-  sum.samples_away += away;
-  if (away != 0) ++sum.cases_away;
-}
-
-std::string DistanceText(const DistanceFromModel& distance) {
-  if (distance.cases == 0) {
-    return fmt::format("not compared with the model: {}", distance.why_not);
-  }
+std::string DistanceText(const Cell& distance) {
+  if (distance.cases == 0) return fmt::format("not compared with the model: {}", distance.why);
   std::string text =
-      fmt::format("{} of {} samples away from the model, in {} of {} cases", distance.samples_away,
-                  distance.samples, distance.cases_away, distance.cases);
-  if (distance.cases_not_judged != 0) {
-    text += fmt::format("; not judged: {} of all {} cases ({})", distance.cases_not_judged,
-                        distance.cases + distance.cases_not_judged, distance.why_not);
+      fmt::format("{} of {} samples away from the model, in {} of {} cases", distance.wrong_samples,
+                  distance.samples, distance.wrong, distance.cases);
+  if (distance.excused != 0) {
+    text += fmt::format("; not judged: {} of all {} cases ({})", distance.excused,
+                        distance.cases + distance.excused, distance.why);
   }
   return text;
 }

@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <memory>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "core/error.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "props/compare/compare.h"
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "subjects/process/process.h"
@@ -56,21 +58,26 @@ std::string FirstError(const std::string& output) {
   return first.empty() ? "it fails and says nothing" : first;
 }
 
-// Differences of one case between its drawing and the base's.
-void AddChanges(std::size_t number, const DrawOutcome& outcome, const DrawOutcome& base,
-                std::vector<ChangedSample>& changes) {
+// The samples of one case that a build draws otherwise than the base; added to `changes`, too.
+props::Reading ReadChanges(std::size_t number, const DrawOutcome& outcome, const DrawOutcome& base,
+                           std::vector<ChangedSample>& changes) {
+  const std::size_t first = changes.size();
   const bool is_drawn = outcome.end.stop == Stop::kNone;
-  if (is_drawn != (base.end.stop == Stop::kNone)) return changes.push_back({number});
-  if (!is_drawn) return;
+  if (is_drawn != (base.end.stop == Stop::kNone)) changes.push_back({number});
   const auto value = [](const Drawing& d, std::size_t k) {
     if (d.primitive_ids.empty()) return std::pair(d.counts.front[k], d.counts.back[k]);
     return std::pair(static_cast<std::uint32_t>(d.primitive_ids[k]), std::uint32_t{0});
   };
-  for (std::size_t k = 0; k < base.drawing.counts.size(); ++k) {
+  const bool are_both_drawn = is_drawn && changes.size() == first;
+  for (std::size_t k = 0; are_both_drawn && k < base.drawing.counts.size(); ++k) {
     const auto [front, back] = value(outcome.drawing, k);
-    if (std::pair(front, back) != value(base.drawing, k))
+    if (std::pair(front, back) != value(base.drawing, k)) {
       changes.push_back({number, k, front, back});
+    }
   }
+  props::Reading reading;
+  for (std::size_t k = first; k < changes.size(); ++k) reading.wrong.push_back(changes[k].sample);
+  return reading;
 }
 
 }  // namespace
@@ -262,8 +269,20 @@ SweepOutcome SweepRunner::Compare(const std::string& program, const Choices& cho
       outcome.failure = fmt::format("stopped on {}: {}", cases_[all[k]].origin, WhyStopped(end));
       return outcome;
     }
-    AddChanges(all[k], drawn[k], base_[all[k]], outcome.changes);
   }
+  const props::Row row{.cases = all.size(),
+                       .at = [&](std::uint64_t k) { return cases_[all[k]]; },
+                       .draw =
+                           [&](const props::CaseAtHand& at) {
+                             return props::Drawn{
+                                 {}, {std::shared_ptr<void>(), &base_[all[at.index]].drawing}};
+                           }};
+  const props::Yardstick build = [&](const props::CaseAtHand& at) -> props::Judging {
+    return {"", [&, k = at.index](const props::Drawn&) {
+              return ReadChanges(all[k], drawn[k], base_[all[k]], outcome.changes);
+            }};
+  };
+  outcome.cell = props::CompareRow(row, {{build}}).front();
   return outcome;
 }
 

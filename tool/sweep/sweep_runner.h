@@ -14,6 +14,7 @@
 
 #include "core/call_end.h"
 #include "core/case.h"
+#include "core/comparison.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
 #include "tool/sweep/sweep_builds.h"
@@ -65,6 +66,7 @@ struct SweepOutcome {
   /// Empty: it was built and has drawn every case.
   std::string failure;
   bool is_breakdown = false;  ///< it was built and started
+  Cell cell;                  ///< the base by this build, in cases and samples
   std::vector<ChangedSample> changes;
 
   bool Differs() const { return is_breakdown || !changes.empty(); }

@@ -9,7 +9,7 @@
 #include "core/draw_options.h"
 #include "core/float_mode.h"
 #include "core/profile.h"
-#include "props/float_modes/can_touch.h"
+#include "props/compare/can_touch.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/property.h"

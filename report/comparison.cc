@@ -1,5 +1,7 @@
-#include "report/catalogue.h"
+#include "report/comparison.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -19,7 +21,7 @@ std::string Displacement(double pixels) {
 }
 
 // One word for what a cell comes to, which is its class too.
-std::string_view StateWord(const CatalogueCell& cell) {
+std::string_view StateWord(const Cell& cell) {
   if (cell.cases == 0) return "excused";
   if (cell.wrong != 0) return "fails";
   if (cell.is_proved) return "proved";
@@ -27,7 +29,7 @@ std::string_view StateWord(const CatalogueCell& cell) {
 }
 
 // What fits into a cell of the matrix: the failing share, or a mark.
-std::string MatrixCell(const CatalogueCell& cell) {
+std::string MatrixCell(const Cell& cell) {
   const std::string_view state = StateWord(cell);
   const std::string_view colour = state == "fails"     ? "wrong"
                                   : state == "excused" ? "none"
@@ -38,96 +40,151 @@ std::string MatrixCell(const CatalogueCell& cell) {
   } else if (state != "excused") {
     text = state == "proved" ? "P" : state == "exhausted" ? "E" : "T";
   }
-  std::string title = FamilyText(cell);
+  std::string title = CellText(cell);
   if (cell.cases == 0) title += ": " + cell.why;
   return fmt::format("<span class=\"{}\" title=\"{}\">{}</span>", colour, Escaped(title), text);
 }
 
-void AddCell(JsonWriter& json, const CatalogueCell& cell) {
+void AddCell(JsonWriter& json, const Cell& cell) {
   json.BeginObjectLine().Key("state").Text(StateWord(cell));
   json.Key("cases").Integer(cell.cases).Key("wrong").Integer(cell.wrong);
   json.Key("samples").Integer(cell.samples).Key("wrong_samples").Integer(cell.wrong_samples);
-  json.Key("worst_pixels").Shortest(cell.worst_pixels).Key("worst_case").Text(cell.worst_case);
+  json.Key("worst_pixels").Shortest(cell.WorstPixels());
+  json.Key("worst_case").Text(cell.Worst() != nullptr ? cell.Worst()->origin : "");
   json.Key("excused").Integer(cell.excused).Key("why").Text(cell.why).EndObject();
 }
 
-std::string SaveCommand(const Catalogue& catalogue, const CatalogueFamily& family,
+std::string SaveCommand(const ComparisonTable& table, const ComparedRow& family,
                         std::string_view subject) {
   return fmt::format(
-      "rasterproof check --catalogue --family {} --subject {} --seed {} --cases {} --save worst",
-      family.name, subject, catalogue.seed, catalogue.cases);
+      "rasterproof compare --families {} --subject {} --seed {} --cases {} --save worst",
+      family.name, subject, table.seed, table.cases);
 }
 
 std::string MatrixHead(const Catalogue& catalogue) {
   std::string html = "<thead><tr><th>family</th>";
-  for (const CatalogueColumn& column : catalogue.columns) {
-    const std::string name = Escaped(column.subject);
-    html += fmt::format("<th class=\"number\"><span class=\"upright\">{}</span></th>",
-                        column.folder.empty() ? name
-                                              : fmt::format("<a href=\"{}/report.html\">{}</a>",
-                                                            Escaped(column.folder), name));
+  for (std::size_t k = 0; k < catalogue.folders.size(); ++k) {
+    html += fmt::format(
+        "<th class=\"number\"><span class=\"upright\"><a "
+        "href=\"{}/report.html\">{}</a></span></th>",
+        Escaped(catalogue.folders[k]), Escaped(catalogue.table.subjects[k].name));
   }
   return html + "</tr></thead>";
 }
 
 std::string Matrix(const Catalogue& catalogue) {
   std::string html = "<div class=\"scroll\"><table class=\"matrix\">" + MatrixHead(catalogue);
+  const ComparisonTable& table = catalogue.table;
   std::string_view theme;
-  for (std::size_t k = 0; k < catalogue.families.size(); ++k) {
-    const CatalogueFamily& family = catalogue.families[k];
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const ComparedRow& family = table.rows[k];
     if (family.theme != theme) {
       if (!theme.empty()) html += "</tbody>";
       theme = family.theme;
       html += fmt::format("<tbody><tr><th colspan=\"{}\"><b>{}</b>: {}</th></tr>\n",
-                          catalogue.columns.size() + 1, Escaped(theme), Escaped(family.right));
+                          table.subjects.size() + 1, Escaped(theme), Escaped(family.right));
     }
     html += fmt::format("<tr><th class=\"name\"><a href=\"{}\" title=\"{}\">{}</a></th>",
                         Escaped(FamilyPagePath(family) + ".html"), Escaped(family.summary),
                         Escaped(family.name));
-    for (const CatalogueColumn& column : catalogue.columns) {
-      html += "<td class=\"number\">" + MatrixCell(column.cells[k][0]) + "<br>" +
-              MatrixCell(column.cells[k][1]) + "</td>";
+    for (const ComparedSubject& subject : table.subjects) {
+      html += "<td class=\"number\">" + MatrixCell(subject.cells[k][0]) + "<br>" +
+              MatrixCell(subject.cells[k][1]) + "</td>";
     }
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";
 }
 
+// "own model: 90 families stand, 0 fail, 9 excused" for each yardstick.
+std::string SummaryLine(const ComparisonTable& table, const ComparedSubject& subject) {
+  std::string line = subject.name + ":";
+  for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
+    std::array<std::size_t, 3> counts{};  // of those that stand, fail, are excused
+    for (const std::vector<Cell>& row : subject.cells) {
+      ++counts[row[y].Fails() ? 1 : row[y].cases != 0 ? 0 : 2];
+    }
+    line += fmt::format("{} {}: {} {} stand, {} fail, {} excused", y == 0 ? "" : ";",
+                        table.yardsticks[y], counts[0], table.what, counts[1], counts[2]);
+  }
+  return line + "\n";
+}
+
 }  // namespace
 
-std::string FamilyText(const CatalogueCell& cell) {
+std::string CellText(const Cell& cell) {
   if (cell.cases == 0) return cell.excused == 0 ? "not run" : "excused";
   const std::string_view state = StateWord(cell);
   std::string text;
   if (state == "fails") {
     text = fmt::format("fails {}, {}", CountedText(cell.wrong, cell.cases),
-                       Displacement(cell.worst_pixels));
+                       Displacement(cell.WorstPixels()));
   } else if (state == "exhausted") {
     text = fmt::format("exhausted, {}", cell.cases);
   } else {
     text = fmt::format("{}{} tested", state == "proved" ? "proved, " : "", cell.cases);
   }
+  if (cell.by_snap != 0) text += fmt::format(", {} by the snap alone", cell.by_snap);
   return cell.excused == 0 ? text : text + fmt::format(", {} excused", cell.excused);
 }
 
-std::string CatalogueToJson(const Catalogue& catalogue) {
+std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& subject) {
+  std::vector<std::size_t> widths;
+  for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
+    widths.push_back(table.yardsticks[y].size());
+    for (const auto& row : subject.cells) {
+      widths[y] = std::max(widths[y], CellText(row[y]).size());
+    }
+  }
+  std::string text =
+      fmt::format("{}, seed {}, {} cases each\n{:24}", subject.name, table.seed, table.cases, "");
+  const auto end_line = [&text] {
+    text.resize(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  };
+  for (std::size_t y = 0; y < widths.size(); ++y) {
+    text += fmt::format(" {:<{}}", table.yardsticks[y], widths[y]);
+  }
+  end_line();
+  std::string_view theme;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    const ComparedRow& row = table.rows[k];
+    if (row.theme != theme) {
+      theme = row.theme;
+      text += fmt::format("\n{}: {}\n", row.theme, row.right);
+    }
+    text += fmt::format("  {:<22}", row.name);
+    std::string why;
+    for (std::size_t y = 0; y < widths.size(); ++y) {
+      const Cell& cell = subject.cells[k][y];
+      text += fmt::format(" {:<{}}", CellText(cell), widths[y]);
+      if (cell.ended != 0 && why.empty()) why = cell.why;
+    }
+    end_line();
+    if (!why.empty()) text += fmt::format("{:25}{}\n", "", why);
+  }
+  return CleanText(text + "\n" + SummaryLine(table, subject));
+}
+
+std::string ComparisonToJson(const ComparisonTable& table) {
   JsonWriter json;
   json.BeginObject().Key("rasterproof_catalogue").Integer(1);
-  json.Key("seed").Integer(catalogue.seed).Key("cases").Integer(catalogue.cases);
+  json.Key("seed").Integer(table.seed).Key("cases").Integer(table.cases);
   json.Key("families").BeginArray();
-  for (const CatalogueFamily& family : catalogue.families) {
-    json.BeginObject().Key("name").Text(family.name).Key("summary").Text(family.summary);
-    json.Key("theme").Text(family.theme).Key("right").Text(family.right).EndObject();
+  for (const ComparedRow& row : table.rows) {
+    json.BeginObject().Key("name").Text(row.name).Key("summary").Text(row.summary);
+    json.Key("theme").Text(row.theme).Key("right").Text(row.right).EndObject();
   }
   json.EndArray().Key("subjects").BeginArray();
-  for (const CatalogueColumn& column : catalogue.columns) {
-    json.BeginObject().Key("subject").Text(column.subject).Key("cells").BeginArray();
-    for (std::size_t k = 0; k < column.cells.size(); ++k) {
-      json.BeginObject().Key("family").Text(catalogue.families[k].name);
-      json.Key("own_model");
-      AddCell(json, column.cells[k][0]);
-      json.Key("real_geometry");
-      AddCell(json, column.cells[k][1]);
+  for (const ComparedSubject& subject : table.subjects) {
+    json.BeginObject().Key("subject").Text(subject.name).Key("cells").BeginArray();
+    for (std::size_t k = 0; k < subject.cells.size(); ++k) {
+      json.BeginObject().Key("family").Text(table.rows[k].name);
+      for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
+        std::string key = table.yardsticks[y];
+        std::ranges::replace(key, ' ', '_');
+        AddCell(json.Key(key), subject.cells[k][y]);
+      }
       json.EndObject();
     }
     json.EndArray().EndObject();
@@ -137,7 +194,7 @@ std::string CatalogueToJson(const Catalogue& catalogue) {
 }
 
 std::string CatalogueSection(const Catalogue& catalogue) {
-  if (catalogue.columns.empty()) return "";
+  if (catalogue.table.subjects.empty()) return "";
   return Section(
       "catalogue", "Stiff and extreme cases",
       fmt::format(
@@ -146,14 +203,15 @@ std::string CatalogueSection(const Catalogue& catalogue) {
           "and the subject's decisions are proved (its page names the proofs); a share: cases with "
           "a wrong sample; –: excused, because the profile or the subject says nothing of the "
           "family. Each family has a page with rates, displacements, commands and a picture.",
-          catalogue.cases, catalogue.seed),
+          catalogue.table.cases, catalogue.table.seed),
       Matrix(catalogue));
 }
 
-std::string FamilyPagePath(const CatalogueFamily& family) { return "families/" + family.name; }
+std::string FamilyPagePath(const ComparedRow& family) { return "families/" + family.name; }
 
 std::string FamilyPageToHtml(const Catalogue& catalogue, std::size_t k) {
-  const CatalogueFamily& family = catalogue.families[k];
+  const ComparisonTable& table = catalogue.table;
+  const ComparedRow& family = table.rows[k];
   std::string html = fmt::format(
       "<header>\n<h1><a href=\"../report.html\">report</a></h1>\n<h1 class=\"name\">{}</h1>\n"
       "<p class=\"lead\">{}</p>\n<p class=\"why\">{}</p>\n</header>\n",
@@ -162,26 +220,27 @@ std::string FamilyPageToHtml(const Catalogue& catalogue, std::size_t k) {
       "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>subject</th><th>own model</th>"
       "<th>real geometry</th><th>saves its worst cases</th></tr>"
       "</thead><tbody>\n";
-  for (const CatalogueColumn& column : catalogue.columns) {
-    const auto& [own, real] = column.cells[k];
+  for (const ComparedSubject& subject : table.subjects) {
+    const Cell& own = subject.cells[k][0];
+    const Cell& real = subject.cells[k][1];
     const std::string last = own.wrong + real.wrong != 0
-                                 ? Command(SaveCommand(catalogue, family, column.subject))
+                                 ? Command(SaveCommand(table, family, subject.name))
                                  : Escaped(own.cases == 0 ? own.why : "");
-    rows += fmt::format("<tr><th class=\"name\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                        Escaped(column.subject), Escaped(FamilyText(own)),
-                        Escaped(FamilyText(real)), last);
+    rows +=
+        fmt::format("<tr><th class=\"name\">{}</th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                    Escaped(subject.name), Escaped(CellText(own)), Escaped(CellText(real)), last);
   }
   html += Section("subjects", "Subjects",
                   "Cases with a wrong sample, the 95 % interval of their share, and how far the "
                   "furthest wrong sample lies from the nearest edge.",
                   rows + "</tbody></table></div>\n");
-  if (family.picture) {
+  if (const std::optional<FamilyPicture>& picture = catalogue.pictures[k]) {
     html +=
         Section("picture", "The worst case",
                 "Of all subjects' cases, by displacement: the grid with the exact triangles, the "
                 "samples that the yardstick covers, those that were drawn, and the difference.",
-                FigureHtml({.caption = family.picture->caption,
-                            .command = SaveCommand(catalogue, family, family.picture->subject),
+                FigureHtml({.caption = picture->caption,
+                            .command = SaveCommand(table, family, picture->subject),
                             .subject = {},
                             .file = FamilyPagePath(family) + ".svg",
                             .content = {}},

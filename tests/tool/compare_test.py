@@ -1,6 +1,6 @@
-"""check --catalogue: a table of families, saved cases that fail again, its exit status.
+"""compare: a table of families, saved cases that fail again, its exit status.
 
-usage: catalogue_test.py PROGRAM SOURCES
+usage: compare_test.py PROGRAM SOURCES
 """
 import glob
 import html
@@ -15,19 +15,21 @@ import unittest
 PROGRAM, SOURCES = (os.path.abspath(path) for path in sys.argv[1:3])
 
 
-FEW = [word for name in ("needles", "near-edge", "grids", "snap-ties", "degenerate", "mixed-w")
-       for word in ("--family", name)]  # fmt: skip
+FEW = ("--families", "needles,near-edge,grids,snap-ties,degenerate,mixed-w")
 
 
-def check(*arguments):
-    return subprocess.run([PROGRAM, "check", "--catalogue", "--cases", "20", *FEW, *arguments],
-                          capture_output=True, text=True, cwd=SOURCES, timeout=900,
-                          check=False)  # fmt: skip
+def run(*arguments):
+    return subprocess.run([PROGRAM, *arguments], capture_output=True, text=True, cwd=SOURCES,
+                          timeout=900, check=False)  # fmt: skip
 
 
-class Catalogue(unittest.TestCase):
+def compare(*arguments):
+    return run("compare", "--cases", "20", *FEW, *arguments)
+
+
+class Compare(unittest.TestCase):
     def test_an_exact_subject_fails_no_family_of_its_model(self):
-        done = check("--subject", "i64-snap8")
+        done = compare("--subject", "i64-snap8")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         last = done.stdout.splitlines()[-1]
         self.assertRegex(last, r"^i64-snap8: own model: \d+ families stand, 0 fail, ")
@@ -35,30 +37,45 @@ class Catalogue(unittest.TestCase):
 
     def test_what_fails_is_saved_and_fails_again(self):
         with tempfile.TemporaryDirectory() as folder:
-            done = check("--subject", "textbook", "--save", folder)
+            done = compare("--subject", "textbook", "--save", folder)
             self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
             self.assertRegex(done.stdout, r"\n  needles +fails \d+ of 20, ")
             saved = sorted(glob.glob(os.path.join(folder, "*.json")))
             self.assertGreater(len(saved), 3)
             for path in saved[:6]:
-                again = subprocess.run([PROGRAM, "replay", path], capture_output=True, text=True,
-                                       cwd=SOURCES, timeout=900, check=False)  # fmt: skip
+                again = run("replay", path)
                 self.assertEqual(again.returncode, 1, path + again.stdout + again.stderr)
 
     def test_what_it_cannot_be_combined_with_is_refused(self):
-        for other in (("--property", "CoverageEqualsTheModel"), ("--case", "needles:1@1"),
-                      ("scenes/ties.json",)):  # fmt: skip
-            done = check(*other)
+        for other in (("--mode", "ftz"), ("scenes/ties.json",)):
+            done = compare(*other)
             self.assertEqual(done.returncode, 2, other)
-            self.assertIn("--catalogue", done.stderr)
+            self.assertIn("--families", done.stderr)
+
+    def test_check_says_where_its_options_are(self):
+        for word, now in (("--catalogue", "compare"), ("--fp-env=ftz", "compare --mode ftz"),
+                          ("--family", "compare --families NAME")):  # fmt: skip
+            done = run("check", word)
+            self.assertEqual(done.returncode, 2, word)
+            self.assertIn(f"write rasterproof {now}\n", done.stderr)
+
+    def test_another_subject_is_a_yardstick_and_a_scene_a_row(self):
+        same = run("compare", "scenes/ties.json", "--subject", "textbook", "--by", "textbook")
+        self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
+        other = run("compare", "scenes/ties.json", "--subject", "textbook",
+                    "--by", "spans-exact,own", "--json", "-")  # fmt: skip
+        self.assertEqual(other.returncode, 1, other.stdout + other.stderr)
+        (cell,) = json.loads(other.stdout)["subjects"][0]["cells"]
+        for yardstick in ("spans-exact", "own_model"):
+            self.assertEqual((cell[yardstick]["state"], cell[yardstick]["cases"]), ("fails", 1))
 
     def test_a_family_that_is_none_is_refused_with_the_one_that_may_be_meant(self):
-        done = check("--family", "neddles")
+        done = compare("--families", "neddles")
         self.assertEqual(done.returncode, 2)
         self.assertIn("did you mean needles?", done.stderr)
 
     def test_a_subject_of_squares_is_refused_with_the_reason(self):
-        done = check("--subject", "spans-exact", "--profile", "vulkan-overestimate")
+        done = compare("--subject", "spans-exact", "--profile", "vulkan-overestimate")
         self.assertEqual(done.returncode, 2)
         self.assertIn("whole pixels", done.stderr)
 

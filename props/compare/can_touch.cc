@@ -1,4 +1,4 @@
-#include "props/float_modes/can_touch.h"
+#include "props/compare/can_touch.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,10 @@
-// Counts how a subject differs from one model, domain by domain. Judges nothing.
-#ifndef RASTERPROOF_PROPS_SURVEY_SURVEY_H_
-#define RASTERPROOF_PROPS_SURVEY_SURVEY_H_
+// How a subject differs from one model, domain by domain: four yardsticks. Judges nothing.
+#ifndef RASTERPROOF_PROPS_COMPARE_SURVEY_H_
+#define RASTERPROOF_PROPS_COMPARE_SURVEY_H_
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "core/case.h"
 #include "core/profile.h"
 #include "core/subject.h"
+#include "props/compare/compare.h"
 
 namespace rasterproof::props {
 
@@ -39,13 +39,9 @@ struct SurveyPlan {
   Profile model;  ///< what the drawings are compared with
   std::uint64_t seed = 1;
   std::uint64_t cases = 2000;  ///< of each domain
-  double seconds = 0;          ///< at most, for each domain without its shrinking; 0: no limit
+  Limits limits = {};          ///< of each domain without its shrinking
   std::uint64_t shrink_budget = 400;
   double shrink_seconds = 20;  ///< at most, for each finding
-  /// Called with the number of cases done. May be empty.
-  std::function<void(std::uint64_t)> progress = {};
-  /// Asked between cases: true ends the survey. May be empty.
-  std::function<bool()> stop = {};
 };
 
 /// The first case of a domain that shows a fault, shrunk.
@@ -84,10 +80,9 @@ struct DomainSurvey {
 ///
 /// Domain:     the name of a domain; a model of contract sample-exact, with the stated coordinate
 ///             limit.
-/// Returns:    no cases if the subject takes none of the domain's scenes. A domain is given up
-///             after four cases that end the subject or are too slow.
+/// Returns:    no cases if the subject takes none of the domain's scenes.
 DomainSurvey SurveyDomain(Subject& subject, std::string_view domain, const SurveyPlan& options);
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_SURVEY_SURVEY_H_
+#endif  // RASTERPROOF_PROPS_COMPARE_SURVEY_H_

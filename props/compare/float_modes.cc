@@ -1,17 +1,17 @@
-#include "props/float_modes/float_modes.h"
+#include "props/compare/float_modes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
-#include <vector>
 
 #include "core/call_end.h"
+#include "core/coverage.h"
 #include "core/error.h"
 #include "exact/coverage.h"
-#include "props/float_modes/can_touch.h"
+#include "props/compare/can_touch.h"
+#include "props/compare/yardsticks.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/property.h"
@@ -20,17 +20,11 @@
 namespace rasterproof::props {
 namespace {
 
-DrawOutcome DrawCounts(Subject& subject, const Case& c, FloatMode mode) {
+DrawOutcome DrawInMode(Subject& subject, const Case& c, FloatMode mode) {
   DrawOptions options;
   options.float_mode = mode;
   const DrawQuestion question = WholeCallOf(c.scene, c.profile, options);
   return std::move(subject.DrawMany({&question.job, 1}).front());
-}
-
-std::optional<CoverageCounts> CountsIfDrawn(Subject& subject, const Case& c) {
-  DrawOutcome outcome = DrawCounts(subject, c, FloatMode::kUsual);
-  if (outcome.end.stop != Stop::kNone) return std::nullopt;
-  return std::move(outcome.drawing.counts);
 }
 
 using Rounding = double (*)(double);
@@ -69,50 +63,51 @@ bool IsTheSnapOf(const Case& c, FloatMode mode, const CoverageCounts& drawn) {
 
 }  // namespace
 
-std::vector<UsualDrawing> DrawAsUsual(Subject& subject, const FloatModesPlan& plan) {
+std::vector<UsualDrawing> DrawAsUsual(Subject& subject, std::uint64_t seed, std::uint64_t cases,
+                                      const std::function<bool()>& stop) {
   const Property& property = *FindProperty("EnvironmentKeepsCoverage");
   std::vector<UsualDrawing> usual;
-  for (std::uint64_t k = 0; k < plan.cases && !(plan.stop && plan.stop()); ++k) {
-    Case c = DrawCase(subject.Info(), property, plan.seed, k);
+  for (std::uint64_t k = 0; k < cases && !(stop && stop()); ++k) {
+    Case c = DrawCase(subject.Info(), property, seed, k);
     c.options = {};
-    std::optional<CoverageCounts> counts = CountsIfDrawn(subject, c);
-    if (k < plan.cases / 2 && counts) {
-      const std::optional<CoverageCounts> again = CountsIfDrawn(subject, c);
-      if (!again || Compare(*again, *counts).wrong != 0) {
+    const DrawOutcome outcome = DrawInMode(subject, c, FloatMode::kUsual);
+    if (outcome.end.stop != Stop::kNone) continue;
+    if (k < cases / 2) {
+      const DrawOutcome again = DrawInMode(subject, c, FloatMode::kUsual);
+      if (again.end.stop != Stop::kNone ||
+          Compare(again.drawing.counts, outcome.drawing.counts).wrong != 0) {
         throw InputError(subject.Info().name + " on " + c.origin,
                          "it draws the same case differently from call to call",
                          "mend that first: check --property EqualDrawsGiveEqualCounts");
       }
     }
-    usual.push_back({std::move(c), std::move(counts)});
+    usual.push_back({std::move(c), std::make_shared<const Drawing>(outcome.drawing)});
   }
   return usual;
 }
 
-FloatModeResult CompareWithUsual(Subject& subject, const std::vector<UsualDrawing>& usual,
-                                 FloatMode mode, FloatMode option,
-                                 const std::function<bool()>& stop) {
-  FloatModeResult result;
-  for (const UsualDrawing& drawing : usual) {
-    if (stop && stop()) break;
-    if (!drawing.counts) continue;
-    ++result.cases;
-    if (!CanTouch(mode, drawing.value.scene, subject.Info().input)) continue;
-    ++result.touched;
-    const DrawOutcome outcome = DrawCounts(subject, drawing.value, option);
-    const bool failed = IsBreakdown(outcome.end.stop);
-    const bool changed = outcome.end.stop == Stop::kNone &&
-                         Compare(outcome.drawing.counts, *drawing.counts).wrong != 0;
-    if (!failed && !changed) continue;
-    if (!result.first) result.first = drawing.value;
-    if (failed) {
-      if (result.failed++ == 0) result.why = outcome.end.why;
-      continue;
+Row RowOf(const std::vector<UsualDrawing>& usual) {
+  return {.cases = usual.size(),
+          .at = [&usual](std::uint64_t index) { return usual[index].value; },
+          .draw = [&usual](const CaseAtHand& at) { return Drawn{{}, usual[at.index].drawing}; }};
+}
+
+Yardstick ItselfInMode(Subject& subject, FloatMode mode, FloatMode option) {
+  return [&subject, mode, option](const CaseAtHand& at) -> Judging {
+    if (!CanTouch(mode, at.given.scene, subject.Info().input)) {
+      return {"the mode can't change what is drawn"};
     }
-    ++result.changed;
-    if (IsTheSnapOf(drawing.value, mode, outcome.drawing.counts)) ++result.by_snap;
-  }
-  return result;
+    return {"", [&subject, mode, option, &at](const Drawn& drawn) -> Reading {
+              const DrawOutcome outcome = DrawInMode(subject, at.given, option);
+              if (IsBreakdown(outcome.end.stop)) return {.end = outcome.end};
+              if (outcome.end.stop != Stop::kNone) return {};
+              const CoverageCounts& counts = outcome.drawing.counts;
+              Reading reading =
+                  Measured(at.placed(), counts, WrongSamples(counts, drawn.drawing->counts));
+              reading.is_by_snap = !reading.wrong.empty() && IsTheSnapOf(at.given, mode, counts);
+              return reading;
+            }};
+  };
 }
 
 }  // namespace rasterproof::props

@@ -1,11 +1,12 @@
-// The rows of the catalogue: every domain and every world, by what they are hard for.
-#include <algorithm>
-#include <array>
-#include <span>
-#include <string_view>
-#include <vector>
+#include "props/compare/families.h"
 
-#include "props/catalogue/catalogue.h"
+#include <array>
+#include <string>
+#include <utility>
+
+#include "props/compare/yardsticks.h"
+#include "props/run/description.h"
+#include "props/run/property_domains.h"
 
 namespace rasterproof::props {
 namespace {
@@ -86,20 +87,81 @@ constexpr auto kGroups = std::to_array<Group>({
 constexpr Theme kWorlds{"small worlds",
                         "Every case of the world is covered as exact geometry says."};
 
+// Most worlds have small scenes: one is drawn if it has at most this many times the cases of a
+// domain.
+constexpr std::uint64_t kMostOfWorld = 100;
+// A cell in which no case fails is excused if it has more excused cases than this for each other.
+constexpr std::uint64_t kMostExcusedForEach = 20;
+
+// Empty: it is drawn.
+std::string WhyNotDrawn(const Family& family, const SubjectInfo& info, const FamilyPlan& plan) {
+  if (family.scene != nullptr) {
+    return Takes(info, *family.scene) ? "" : "the subject does not take the scene";
+  }
+  if (const Domain* domain = family.domain; domain != nullptr) {
+    if (domain->is_stated != nullptr && !domain->is_stated(info.profile)) {
+      return "the profile states nothing that the family is about";
+    }
+    return Suits(*domain, info) ? "" : "the subject takes none of the family's scenes";
+  }
+  if ((family.world->cases - 1) / kMostOfWorld >= plan.cases) {
+    return "the world has " + std::to_string(family.world->cases) + " cases, more than " +
+           std::to_string(kMostOfWorld) + " times as many as a domain is given";
+  }
+  if (family.world->pixels > plan.most_pixels) {
+    return "the world's targets are larger than the report draws: compare draws them";
+  }
+  return WhyNotGiven(*family.world, info);
+}
+
+// Hardly any case was compared, and under another seed none might be.
+void ExcuseIfFew(Cell& cell) {
+  if (cell.Fails() || cell.excused <= kMostExcusedForEach * cell.cases) return;
+  cell.excused += std::exchange(cell.cases, 0);
+  cell.samples = 0;
+}
+
 }  // namespace
 
-std::vector<Family> Catalogue() {
+std::vector<Family> Families() {
   std::vector<Family> families;
   for (const Group& group : kGroups) {
     for (const std::string_view name : group.domains) {
       const Domain& domain = *FindDomain(name);
-      families.push_back({name, domain.summary, &group.theme, &domain, nullptr});
+      families.push_back({name, domain.summary, &group.theme, &domain});
     }
   }
   for (const World& world : Worlds()) {
     families.push_back({world.name, world.summary, &kWorlds, nullptr, &world});
   }
   return families;
+}
+
+std::vector<Cell> CompareFamily(Subject& subject, const Family& family,
+                                std::span<const Yardstick> yardsticks, const FamilyPlan& plan) {
+  const Description description = DescriptionOf(subject);
+  if (const std::string why = WhyNotDrawn(family, description.info, plan); !why.empty()) {
+    return std::vector<Cell>(yardsticks.size(), {.excused = 1, .why = why});
+  }
+  Row row;
+  row.cases = family.world != nullptr   ? family.world->cases
+              : family.scene != nullptr ? 1
+                                        : plan.cases;
+  row.at = [&](std::uint64_t index) {
+    const std::string name(family.name);
+    if (family.scene != nullptr) return Case{*family.scene, description.info.profile, {}, name};
+    Case c = DrawCase(description.info, family.world != nullptr ? NameOfCase(*family.world, index)
+                                                                : CaseName{name, index, plan.seed});
+    c.options = {};
+    return c;
+  };
+  row.draw = [&](const CaseAtHand& at) { return DrawToJudge(subject, description, at.placed()); };
+  std::vector<Cell> cells = CompareRow(row, yardsticks, plan.limits);
+  for (Cell& cell : cells) {
+    cell.is_exhausted = family.world != nullptr && cell.cases == row.cases;
+    ExcuseIfFew(cell);
+  }
+  return cells;
 }
 
 }  // namespace rasterproof::props

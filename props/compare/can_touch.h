@@ -1,6 +1,6 @@
 // Whether a floating-point mode could change what a scene covers.
-#ifndef RASTERPROOF_PROPS_FLOAT_MODES_CAN_TOUCH_H_
-#define RASTERPROOF_PROPS_FLOAT_MODES_CAN_TOUCH_H_
+#ifndef RASTERPROOF_PROPS_COMPARE_CAN_TOUCH_H_
+#define RASTERPROOF_PROPS_COMPARE_CAN_TOUCH_H_
 
 #include "core/float_mode.h"
 #include "core/scene.h"
@@ -20,4 +20,4 @@ bool CanTouch(FloatMode mode, const Scene& scene, Precision input);
 
 }  // namespace rasterproof::props
 
-#endif  // RASTERPROOF_PROPS_FLOAT_MODES_CAN_TOUCH_H_
+#endif  // RASTERPROOF_PROPS_COMPARE_CAN_TOUCH_H_

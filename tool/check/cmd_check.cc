@@ -37,6 +37,7 @@
 #include "report/certificate.h"
 #include "report/grounds.h"
 #include "report/json_writer.h"
+#include "tool/certify/evidence.h"
 #include "tool/check/causes.h"
 #include "tool/check/check_json.h"
 #include "tool/check/findings.h"

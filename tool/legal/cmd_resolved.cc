@@ -16,6 +16,7 @@
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/legal/legality.h"
+#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -152,16 +152,18 @@ std::vector<Mutant> LeftOpen() {
     return edge.a.x == edge.b.x && edge.a.y < edge.b.y;
   };
   return {
-      {"flat-and-thin", "thin triangles are dropped with those without area", "", std::move(thin)},
+      {"flat-and-thin", "thin triangles are dropped with those without area", "", std::move(thin),
+       "lost-triangles"},
       {"flat-widens-thin", "edges of small triangles own their samples, as flat ones may", "",
        std::move(wide)},
       {"shared-samples-gap", "edge_samples may be shared, and no edge owns its samples", "",
-       std::move(never)},
-      {"shared-samples-beyond", "the sharing reaches beyond the edge", "", std::move(beyond)},
-      {"inclusive-not-rows", "edges are inside, and horizontal ones are not", "",
-       std::move(inside)},
+       std::move(never), "tie-rule"},
+      {"shared-samples-beyond", "the sharing reaches beyond the edge", "", std::move(beyond),
+       "edge-precision"},
+      {"inclusive-not-rows", "edges are inside, and horizontal ones are not", "", std::move(inside),
+       "tie-rule"},
       {"exclusive-not-left", "edges are outside, and vertical left ones are not", "",
-       std::move(outside)},
+       std::move(outside), "tie-rule"},
   };
 }
 
@@ -175,9 +177,9 @@ FixedStages OwningTies(Contract contract, bool owns) {
 std::vector<Mutant> Sides() {
   return {
       {"at-least-model-ties-lost", "at-least-model, and no edge owns its samples", "",
-       OwningTies(Contract::kAtLeastModel, false)},
+       OwningTies(Contract::kAtLeastModel, false), "tie-rule"},
       {"at-most-model-ties-twice", "at-most-model, and every edge owns its samples", "",
-       OwningTies(Contract::kAtMostModel, true)},
+       OwningTies(Contract::kAtMostModel, true), "tie-rule"},
   };
 }
 

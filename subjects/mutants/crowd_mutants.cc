@@ -78,14 +78,16 @@ std::vector<Mutant> Cuts() {
       {"cut-triangle-numbers-12", "numbers of triangles are cut to 12 bits", "",
        Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
          v = TriangleOf(scene, number & 0xfff);
-       })},
+       }),
+       "list"},
       {"cut-vertex-numbers-12", "numbers of vertices are cut to 12 bits", "",
        Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
          for (std::size_t k = 0; k < 3; ++k) {
            const auto index = static_cast<std::size_t>(scene.triangles[number][k]);
            v[k] = scene.vertices[index & 0xfff];
          }
-       })},
+       }),
+       "list"},
       {"cut-cache-tag", "a vertex is taken from the cache where its number agrees in 10 bits", "",
        Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
          if (number == 0) return;
@@ -94,12 +96,14 @@ std::vector<Mutant> Cuts() {
            const bool agrees = ((last ^ scene.triangles[number][k]) & 0x3ff) == 0;
            if (agrees) v[k] = scene.vertices[static_cast<std::size_t>(last)];
          }
-       })},
+       }),
+       "list"},
       {"lanes-full", "in full vectors of eight triangles the last one's ties are left out", "",
        ChangingEdges([](const Scene& scene, GridTriangle& t) {
          if (t.number % kLanes != kLanes - 1 || !IsInAFullVector(scene, t.number)) return;
          for (GridEdge& e : t.edges) e.owns = false;
-       })},
+       }),
+       "list"},
       {"lanes-one-left", "one triangle left of sixteen is drawn without its top edges' samples", "",
        ChangingEdges([](const Scene& scene, GridTriangle& t) {
          const std::size_t all = scene.triangles.size();
@@ -107,7 +111,8 @@ std::vector<Mutant> Cuts() {
          for (GridEdge& e : t.edges) {
            if (e.a.y == e.b.y) e.owns = false;
          }
-       })},
+       }),
+       "list"},
       {"lanes-partial", "what is left of eight triangles is drawn up to a flat one", "",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {
@@ -116,7 +121,8 @@ std::vector<Mutant> Cuts() {
                            if (TwiceAreaOf(TriangleOf(scene, t)) == 0) return true;
                          }
                          return false;
-                       }}},
+                       }},
+       "list"},
   };
 }
 
@@ -129,7 +135,8 @@ std::vector<Mutant> Pairs() {
          if (!IsRightAtB(first)) return;
          v[2].x = first[0].x + first[2].x - first[1].x;
          v[2].y = first[0].y + first[2].y - first[1].y;
-       })},
+       }),
+       "list"},
       {"pair-by-equal-sides", "a kite on a level diagonal is drawn as its box", "",
        Changing([](const Scene& scene, std::size_t number, std::array<Vertex, 3>& v) {
          if (!IsSecondOfAPair(scene, number)) return;
@@ -137,7 +144,8 @@ std::vector<Mutant> Pairs() {
          const bool is_kite = first[0].y == first[2].y && first[1].x == v[2].x &&
                               first[1].y + v[2].y == 2 * first[0].y;
          if (is_kite) v[2].x = first[0].x + first[2].x - first[1].x;
-       })},
+       }),
+       "list"},
       {"pair-small", "two triangles on an edge whose box is under a pixel are not drawn", "",
        FixedStages{.drops =
                        [](const Scene& scene, std::size_t number) {
@@ -149,7 +157,8 @@ std::vector<Mutant> Pairs() {
                          };
                          return IsSecondOfAPair(scene, number) && is_small(number - 1) &&
                                 is_small(number);
-                       }}},
+                       }},
+       "list"},
   };
 }
 
@@ -160,7 +169,8 @@ std::vector<Mutant> Ends() {
                        [](const std::array<GridPoint, 3>& v) {
                          const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
                          return area % (std::int64_t{1} << 31) == 0 ? 0 : area;
-                       }}},
+                       }},
+       "overflow"},
       {"overflow-saturates-24", "an edge value of 2^24 to 2^24 + 2^13 counts as none", "",
        FixedStages{.value =
                        [](const GridEdge& e, const Sample& at) {
@@ -175,7 +185,8 @@ std::vector<Mutant> Ends() {
                          return std::ranges::any_of(TriangleOf(scene, number), [](const Vertex& p) {
                            return !std::isfinite(p.z);
                          });
-                       }}},
+                       }},
+       "not-finite"},
       {"clip-one-behind", "one vertex behind the eye is projected like the others", "",
        ClipStages{.becomes =
                       [](const ClipTriangle& v) {
@@ -187,7 +198,8 @@ std::vector<Mutant> Ends() {
                           }
                         }
                         return std::vector<ClipTriangle>{projected};
-                      }}},
+                      }},
+       "clip-space"},
   };
 }
 

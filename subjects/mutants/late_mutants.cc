@@ -23,7 +23,8 @@ std::vector<Mutant> FixedPointOnes() {
                        [](double x, bool along_y) {
                          return SnapToGrid(
                              x, {8, along_y ? SnapRule::kHalfUp : SnapRule::kNearestEven});
-                       }}},
+                       }},
+       "rounding"},
       {"late-small-box",
        "boxes of at most 4x4 pixels lose their last row if they are higher than wide", "",
        FixedStages{.box =
@@ -44,7 +45,8 @@ std::vector<Mutant> FixedPointOnes() {
                        [last = std::int64_t{0}](const std::array<GridPoint, 3>& v) mutable {
                          const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
                          return std::exchange(last, area) == area ? 0 : area;
-                       }}},
+                       }},
+       "list"},
       {"late-beside-vertex", "a sample beside a vertex, by at most 2/256 pixel, is not drawn", "",
        FixedStages{.times =
                        [](const Sample& at, const GridTriangle& t) {
@@ -70,7 +72,8 @@ std::vector<Mutant> FixedPointOnes() {
                    const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
                    return *culls && std::abs(area) < 65536 ? 0 : area;
                  }};
-       }()},
+       }(),
+       "culling"},
       {"late-slope-saturates", "edge deltas saturate at 24576 pixels", "",
        FixedStages{.value =
                        [](const GridEdge& e, const Sample& at) {
@@ -113,7 +116,8 @@ std::vector<Mutant> OtherOnes() {
                          for (double& barycentric : l) {
                            if (std::fabs(barycentric) < 1e-4) barycentric = 0;
                          }
-                       }}},
+                       }},
+       "shown-values"},
   };
 }
 

@@ -60,16 +60,19 @@ std::vector<Mutant> ModeMutants() {
        .stages =
            RealStages{
                .profile = FixedPointProfile(), .vertices = SnapByAMagicNumber, .sign = ExactSign},
+       .causes = "float-mode",
        .takes_float_modes = true},
       {.name = "mode-needs-subnormals",
        .change = "vertices are equal if their differences in float32 are 0",
        .source = "libraries linked with -ffast-math flush subnormal numbers in the whole process",
        .stages = RealStages{.drops = HasEqualVertices, .sign = ExactSign},
+       .causes = "float-mode",
        .takes_float_modes = true},
       {.name = "mode-traps",
        .change = "it divides by the area of a degenerate triangle before it leaves it out",
        .source = "",
        .stages = RealStages{.sign = ExactSign, .facing = DividesByTheArea},
+       .causes = "float-mode",
        .takes_float_modes = true},
   };
 }

@@ -28,6 +28,7 @@ struct Mutant {
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
                FreeStages, SquareStages, CentroidStages, ClippingStages>
       stages;
+  std::string_view causes = {};  ///< as MutantInfo::causes
   /// Whether it is drawn in other floating-point modes, where only its bug shows.
   bool takes_float_modes = false;
 };

@@ -25,27 +25,34 @@ bool AllEdges(const Corners3& values, bool (*holds)(const TileCorners&)) {
 
 std::vector<Mutant> Boxes() {
   return {
-      {"box-left", "the box begins one pixel late", "", Boxing([](PixelRect& b) { ++b.x0; })},
-      {"box-right", "the box ends one pixel early", "", Boxing([](PixelRect& b) { --b.x1; })},
-      {"box-top", "the box begins one row late", "", Boxing([](PixelRect& b) { ++b.y0; })},
-      {"box-bottom", "the box ends one row early", "", Boxing([](PixelRect& b) { --b.y1; })},
+      {"box-left", "the box begins one pixel late", "", Boxing([](PixelRect& b) { ++b.x0; }),
+       "bounding-box"},
+      {"box-right", "the box ends one pixel early", "", Boxing([](PixelRect& b) { --b.x1; }),
+       "bounding-box"},
+      {"box-top", "the box begins one row late", "", Boxing([](PixelRect& b) { ++b.y0; }),
+       "bounding-box"},
+      {"box-bottom", "the box ends one row early", "", Boxing([](PixelRect& b) { --b.y1; }),
+       "bounding-box"},
       {"box-single-column", "a box of one column is taken for empty", "", Boxing([](PixelRect& b) {
          if (b.x1 - b.x0 == 1) b.x1 = b.x0;
-       })},
+       }),
+       "bounding-box"},
       {"box-of-centres", "the box is of pixels whose centre it holds, strictly", "euc #17",
        FixedStages{.box =
                        [](PixelRect& b, const GridTriangle& t, const Scene&) {
                          const auto [left, right] = std::ranges::minmax(t.v, {}, &GridPoint::x);
                          b.x0 = static_cast<int>((left.x + 128) >> 8);
                          b.x1 = static_cast<int>((right.x + 127) >> 8);
-                       }}},
+                       }},
+       "bounding-box"},
       {"box-limited-by-last", "the box ends no farther right than that of the triangle before", "",
        FixedStages{
            .box =
                [last = PixelRect{}](PixelRect& b, const GridTriangle& t, const Scene&) mutable {
                  if (t.number != 0) b.x1 = std::min(b.x1, std::max(last.x1, b.x0 + 4));
                  last = b;
-               }}},
+               }},
+       "list"},
   };
 }
 
@@ -110,7 +117,8 @@ std::vector<Mutant> Tiles() {
                        [](DrawOptions& options, const Scene& scene) {
                          if (options.tile > 32)
                            options.scissor = PixelRect{0, 1, scene.width, scene.height};
-                       }}},
+                       }},
+       "tile-size"},
       {"tile-odd-size", "tiles whose side is no power of two leave out their first column", "",
        FixedStages{.options =
                        [](DrawOptions& options, const Scene& scene) {
@@ -118,11 +126,13 @@ std::vector<Mutant> Tiles() {
                          if ((side & (side - 1)) != 0 && scene.width > side) {
                            options.scissor = PixelRect{side, 0, scene.width, scene.height};
                          }
-                       }}},
+                       }},
+       "tile-size"},
       {"tile-seams", "samples in the first column of a tile are counted twice", "",
        FixedStages{
            .times = [](const Sample& at,
-                       const GridTriangle&) { return at.x % 8 == 0 && at.x > 0 ? 2U : 1U; }}},
+                       const GridTriangle&) { return at.x % 8 == 0 && at.x > 0 ? 2U : 1U; }},
+       "tile-borders"},
   };
 }
 
@@ -151,7 +161,7 @@ FixedStages SteppingOfTheVulkanSet(double limit) {
 std::vector<Mutant> Stepping() {
   return {
       {"stepping-drifts", "stepping along a row adds up in float32", "gogpu/gg #127",
-       FixedStages{.value = SteppedInFloat}},
+       FixedStages{.value = SteppedInFloat}, "float-edges"},
       {"stepping-step-x", "the step along x is off by one unit", "",
        FixedStages{
            .value = [](const GridEdge& e, const Sample& at) { return e.At(at.at) + (at.x % 8); }}},

@@ -20,7 +20,7 @@ std::string PixelsText(double x) {
 }
 
 SuspectStages Snapping(Snap snap) {
-  return {.profile = [snap](Profile& p) { p.snap = snap; }};
+  return {.model = [snap](Profile& p, const Scene&) { p.snap = snap; }};
 }
 
 struct RuleWords {
@@ -149,7 +149,7 @@ void AddPatterns(const Profile& profile, std::vector<Suspect>& list) {
   const auto moved_to = [up](const SamplePattern& stated, std::vector<Point2> places) {
     return SuspectStages{
         .sample = [stated, up, places = std::move(places)](const SuspectSample& s) {
-          const auto n = static_cast<std::size_t>(s.number);
+          const auto n = static_cast<std::size_t>(s.s);
           const Point2 from = stated.locations[n];
           return Point2{s.at.x + places[n].x - from.x, s.at.y + up * (places[n].y - from.y)};
         }};

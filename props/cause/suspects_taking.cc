@@ -42,7 +42,7 @@ int SummedArea(const Corners3& v) {
 
 void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
   list.push_back({"facing", "exchanges front and back", {.facing = [](SuspectTriangle& t) {
-                    t.is_front = !t.is_front;
+                    t.front = !t.front;
                   }}});
   if (profile.culls == Cull::kNone) {
     list.push_back({"facing",
@@ -56,14 +56,15 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
   } else {
     list.push_back({"facing",
                     "draws the side that the profile says it culls",
-                    {.profile = [](Profile& p) { p.culls = Cull::kNone; }}});
-    list.push_back(
-        {"facing", "culls the other side than the profile says", {.profile = [](Profile& p) {
-           p.culls = p.culls == Cull::kFront ? Cull::kBack : Cull::kFront;
-         }}});
+                    {.model = [](Profile& p, const Scene&) { p.culls = Cull::kNone; }}});
+    list.push_back({"facing",
+                    "culls the other side than the profile says",
+                    {.model = [](Profile& p, const Scene&) {
+                      p.culls = p.culls == Cull::kFront ? Cull::kBack : Cull::kFront;
+                    }}});
   }
   list.push_back({"facing", "calls every triangle a front face", {.facing = [](SuspectTriangle& t) {
-                    t.is_front = true;
+                    t.front = true;
                   }}});
   list.push_back(
       {"facing-arithmetic", "computes the area in float32, directly", {.area = DirectArea<float>}});
@@ -75,7 +76,7 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
                   {.area = DirectArea<double>}});
   list.push_back({"facing-arithmetic",
                   "leaves out triangles without area before the snap",
-                  {.drops = [](const SuspectTriangle& t, const Scene&) {
+                  {.leaves_out = [](const SuspectTriangle& t, const Scene&) {
                     const Corners3 v{WindowPoint(t.given[0]), WindowPoint(t.given[1]),
                                      WindowPoint(t.given[2])};
                     return ExactArea(v) == 0;
@@ -207,8 +208,8 @@ void AddLost(std::vector<Suspect>& list) {
         list.push_back(
             {"lost-triangles",
              "leaves out triangles " + what,
-             {.drops = [of = feature.of, limit, is_strict, less = feature.leaves_out_less](
-                           const SuspectTriangle& t, const Scene&) {
+             {.leaves_out = [of = feature.of, limit, is_strict, less = feature.leaves_out_less](
+                                const SuspectTriangle& t, const Scene&) {
                const double n = of(t);
                if (n == limit) return !is_strict;
                return less ? n < limit : n > limit;
@@ -219,7 +220,7 @@ void AddLost(std::vector<Suspect>& list) {
   for (const double limit : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
     list.push_back({"lost-triangles",
                     "leaves out triangles of next to no area",
-                    {.drops = [limit](const SuspectTriangle& t, const Scene&) {
+                    {.leaves_out = [limit](const SuspectTriangle& t, const Scene&) {
                       return std::fabs(AreaOf(t.v)) < limit;
                     }}});
   }
@@ -227,22 +228,25 @@ void AddLost(std::vector<Suspect>& list) {
 
 void AddOddInput(std::vector<Suspect>& list) {
   const auto taking = [](double (*number)(double)) {
-    return SuspectStages{
-        .input = [number](Vertex& v) { v = {number(v.x), number(v.y), v.z, v.w}; }};
+    return SuspectStages{.vertices = [number](std::array<Vertex, 3>& corners) {
+      for (Vertex& v : corners) v = {number(v.x), number(v.y), v.z, v.w};
+    }};
   };
   list.push_back(
       {"not-finite", "takes NaN for zero", taking([](double x) { return std::isnan(x) ? 0 : x; })});
   for (const double end : {0x1p15, 0x1p14, 0x1p13, 0x1p20, 0x1p24, 0x1p30}) {
     list.push_back({"not-finite",
                     "clamps infinity to " + std::to_string(std::int64_t(end)),
-                    {.input = [end](Vertex& v) {
-                      if (std::isinf(v.x)) v.x = std::copysign(end, v.x);
-                      if (std::isinf(v.y)) v.y = std::copysign(end, v.y);
+                    {.vertices = [end](std::array<Vertex, 3>& corners) {
+                      for (Vertex& v : corners) {
+                        if (std::isinf(v.x)) v.x = std::copysign(end, v.x);
+                        if (std::isinf(v.y)) v.y = std::copysign(end, v.y);
+                      }
                     }}});
   }
   list.push_back({"not-finite",
                   "leaves out triangles with a z that is not finite",
-                  {.drops = [](const SuspectTriangle& t, const Scene&) {
+                  {.leaves_out = [](const SuspectTriangle& t, const Scene&) {
                     return std::ranges::any_of(t.given,
                                                [](const Vertex& v) { return !std::isfinite(v.z); });
                   }}});

@@ -224,11 +224,13 @@ void AddScissors(std::vector<Suspect>& list) {
 void AddCounting(std::vector<Suspect>& list) {
   list.push_back({"counting",
                   "counts a sample once, however many triangles cover it",
-                  {.after = [](CoverageCounts& counts) {
+                  {.after = [](CoverageCounts& counts, const CoverageCounts&) {
                     for (std::uint32_t& n : counts.front) n = std::min(n, 1U);
                     for (std::uint32_t& n : counts.back) n = std::min(n, 1U);
                   }}});
-  list.push_back({"y-axis", "draws the picture upside down", {.after = [](CoverageCounts& counts) {
+  list.push_back({"y-axis",
+                  "draws the picture upside down",
+                  {.after = [](CoverageCounts& counts, const CoverageCounts&) {
                     const CoverageCounts drawn = counts;
                     for (int row = 0; row < counts.height; ++row) {
                       for (int x = 0; x < counts.width; ++x) {

@@ -28,13 +28,13 @@ struct Known {
 template <class Change>
 FixedStages Changing(const Change& change) {
   const auto known = std::make_shared<Known>();
-  return {.drops =
-              [known](const Scene& scene, std::size_t number) {
-                *known = {&scene, number};
-                return false;
-              },
-          .vertices = [known, change](
-                          std::array<Vertex, 3>& v) { change(*known->scene, known->number, v); }};
+  return {{.drops =
+               [known](const Scene& scene, std::size_t number) {
+                 *known = {&scene, number};
+                 return false;
+               },
+           .vertices = [known, change](
+                           std::array<Vertex, 3>& v) { change(*known->scene, known->number, v); }}};
 }
 
 bool IsInAFullVector(const Scene& scene, std::size_t number) {
@@ -65,12 +65,12 @@ bool IsRightAtB(const std::array<Vertex, 3>& v) {
 // The sound stages, which then change a triangle's edges by the scene that it is of.
 FixedStages ChangingEdges(void (*change)(const Scene& scene, GridTriangle& t)) {
   const auto known = std::make_shared<const Scene*>(nullptr);
-  return FixedStages{.drops =
-                         [known](const Scene& scene, std::size_t) {
-                           *known = &scene;
-                           return false;
-                         },
-                     .edges = [known, change](GridTriangle& t) { change(**known, t); }};
+  return FixedStages{{.drops =
+                          [known](const Scene& scene, std::size_t) {
+                            *known = &scene;
+                            return false;
+                          },
+                      .edges = [known, change](GridTriangle& t) { change(**known, t); }}};
 }
 
 std::vector<Mutant> Cuts() {
@@ -114,14 +114,14 @@ std::vector<Mutant> Cuts() {
        }),
        "list"},
       {"lanes-partial", "what is left of eight triangles is drawn up to a flat one", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         if (IsInAFullVector(scene, number)) return false;
-                         for (std::size_t t = number / kLanes * kLanes; t < number; ++t) {
-                           if (TwiceAreaOf(TriangleOf(scene, t)) == 0) return true;
-                         }
-                         return false;
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          if (IsInAFullVector(scene, number)) return false;
+                          for (std::size_t t = number / kLanes * kLanes; t < number; ++t) {
+                            if (TwiceAreaOf(TriangleOf(scene, t)) == 0) return true;
+                          }
+                          return false;
+                        }}},
        "list"},
   };
 }
@@ -147,17 +147,17 @@ std::vector<Mutant> Pairs() {
        }),
        "list"},
       {"pair-small", "two triangles on an edge whose box is under a pixel are not drawn", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         const auto is_small = [&](std::size_t t) {
-                           const std::array<Vertex, 3> v = TriangleOf(scene, t);
-                           const auto [x0, x1] = std::minmax({v[0].x, v[1].x, v[2].x});
-                           const auto [y0, y1] = std::minmax({v[0].y, v[1].y, v[2].y});
-                           return x1 - x0 < 1 && y1 - y0 < 1;
-                         };
-                         return IsSecondOfAPair(scene, number) && is_small(number - 1) &&
-                                is_small(number);
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          const auto is_small = [&](std::size_t t) {
+                            const std::array<Vertex, 3> v = TriangleOf(scene, t);
+                            const auto [x0, x1] = std::minmax({v[0].x, v[1].x, v[2].x});
+                            const auto [y0, y1] = std::minmax({v[0].y, v[1].y, v[2].y});
+                            return x1 - x0 < 1 && y1 - y0 < 1;
+                          };
+                          return IsSecondOfAPair(scene, number) && is_small(number - 1) &&
+                                 is_small(number);
+                        }}},
        "list"},
   };
 }
@@ -165,40 +165,40 @@ std::vector<Mutant> Pairs() {
 std::vector<Mutant> Ends() {
   return {
       {"overflow-area-multiple", "an area that is a multiple of 2^31 is taken for none", "",
-       FixedStages{.area =
-                       [](const std::array<GridPoint, 3>& v) {
-                         const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
-                         return area % (std::int64_t{1} << 31) == 0 ? 0 : area;
-                       }},
+       FixedStages{{.area =
+                        [](const std::array<GridPoint, 3>& v) {
+                          const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
+                          return area % (std::int64_t{1} << 31) == 0 ? 0 : area;
+                        }}},
        "overflow"},
       {"overflow-saturates-24", "an edge value of 2^24 to 2^24 + 2^13 counts as none", "",
-       FixedStages{.value =
-                       [](const GridEdge& e, const Sample& at) {
-                         const std::int64_t value = e.At(at.at);
-                         const std::int64_t beyond = value - (std::int64_t{1} << 24);
-                         return beyond >= 0 && beyond < 8192 ? -1 : value;
-                       }}},
+       FixedStages{{.value =
+                        [](const GridEdge& e, const Sample& at) {
+                          const std::int64_t value = e.At(at.at);
+                          const std::int64_t beyond = value - (std::int64_t{1} << 24);
+                          return beyond >= 0 && beyond < 8192 ? -1 : value;
+                        }}}},
       {"depth-not-finite",
        "a triangle with a z that is not finite is dropped, though z plays no part", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         return std::ranges::any_of(TriangleOf(scene, number), [](const Vertex& p) {
-                           return !std::isfinite(p.z);
-                         });
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          return std::ranges::any_of(
+                              TriangleOf(scene, number),
+                              [](const Vertex& p) { return !std::isfinite(p.z); });
+                        }}},
        "not-finite"},
       {"clip-one-behind", "one vertex behind the eye is projected like the others", "",
-       ClipStages{.becomes =
-                      [](const ClipTriangle& v) {
-                        ClipTriangle projected = v;
-                        const auto is_behind = [](const Vertex& p) { return p.w < 0; };
-                        if (std::ranges::count_if(v, is_behind) == 1) {
-                          for (Vertex& p : projected) {
-                            if (is_behind(p)) p = {-p.x, -p.y, -p.z, -p.w};
-                          }
-                        }
-                        return std::vector<ClipTriangle>{projected};
-                      }},
+       ClipStages{{.clip =
+                       [](const ClipTriangle& v) {
+                         ClipTriangle projected = v;
+                         const auto is_behind = [](const Vertex& p) { return p.w < 0; };
+                         if (std::ranges::count_if(v, is_behind) == 1) {
+                           for (Vertex& p : projected) {
+                             if (is_behind(p)) p = {-p.x, -p.y, -p.z, -p.w};
+                           }
+                         }
+                         return std::vector<ClipTriangle>{projected};
+                       }}},
        "clip-space"},
   };
 }

@@ -32,13 +32,13 @@ FreeStages ShowsIdsBy(std::size_t (*id)(std::size_t number)) {
 // Triangles whose indices lie at byte offsets of few bits.
 FixedStages IndicesByOffsets(int bits) {
   const auto triangle = std::make_shared<std::array<Vertex, 3>>();
-  return {.drops =
-              [triangle, bits](const Scene& scene, std::size_t number) {
-                const std::size_t offset = CutTo(number * sizeof(Triangle), bits);
-                *triangle = Corners(scene, scene.triangles[offset / sizeof(Triangle)]);
-                return false;
-              },
-          .vertices = [triangle](std::array<Vertex, 3>& v) { v = *triangle; }};
+  return {{.drops =
+               [triangle, bits](const Scene& scene, std::size_t number) {
+                 const std::size_t offset = CutTo(number * sizeof(Triangle), bits);
+                 *triangle = Corners(scene, scene.triangles[offset / sizeof(Triangle)]);
+                 return false;
+               },
+           .vertices = [triangle](std::array<Vertex, 3>& v) { v = *triangle; }}};
 }
 
 // The triangle that is drawn. It is thread-local because the stages of all subjects made of one row
@@ -81,10 +81,10 @@ std::vector<Mutant> ListMutants() {
        }),
        "list"},
       {"list-count-of-16-bits", "the number of triangles of a call keeps 16 bits", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         return number >= CutTo(scene.triangles.size(), kListBits);
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          return number >= CutTo(scene.triangles.size(), kListBits);
+                        }}},
        "list"},
       {"list-offsets-of-19-bits", "byte offsets of indices keep 19 bits", "", IndicesByOffsets(19),
        "list"},

@@ -8,7 +8,6 @@
 
 #include "core/profile.h"
 #include "subjects/mutants/centroids.h"
-#include "subjects/mutants/clip_space.h"
 #include "subjects/mutants/clipping.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/free_choice.h"

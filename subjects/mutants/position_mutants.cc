@@ -16,14 +16,14 @@ constexpr std::int64_t kHalfPixel = 128;
 
 // Moves the samples by (x, y) in 1/256 pixels.
 FixedStages SamplesOff(std::int64_t x, std::int64_t y) {
-  return {.sample = [x, y](const Sample& at) { return GridPoint{at.at.x + x, at.at.y + y}; }};
+  return {{.sample = [x, y](const Sample& at) { return GridPoint{at.at.x + x, at.at.y + y}; }}};
 }
 
-FixedStages Snapping(double (*snap)(double x, bool along_y)) { return {.snap = snap}; }
+FixedStages Snapping(double (*snap)(double x, bool along_y)) { return {{.snap = snap}}; }
 
 std::vector<Mutant> Samples() {
   const auto four_samples = [](GridPoint (*sample)(const Sample&)) {
-    return FixedStages{.profile = FourSampleProfile(), .sample = sample};
+    return FixedStages{{.sample = sample}, FourSampleProfile()};
   };
   return {
       {"sample-1-right", "samples lie 1/256 pixel too far right", "", SamplesOff(1, 0),
@@ -37,10 +37,10 @@ std::vector<Mutant> Samples() {
       {"sample-corner", "the pixel's corner is sampled, not its centre", "PPSSPP #9681",
        SamplesOff(-kHalfPixel, -kHalfPixel), "sample-location"},
       {"sample-creeps", "sample locations are off by 1/256 pixel from column 16 on", "",
-       FixedStages{.sample =
-                       [](const Sample& at) {
-                         return GridPoint{at.at.x + (at.x >= 16 ? 1 : 0), at.at.y};
-                       }}},
+       FixedStages{{.sample =
+                        [](const Sample& at) {
+                          return GridPoint{at.at.x + (at.x >= 16 ? 1 : 0), at.at.y};
+                        }}}},
       {"samples-exchanged", "two of the four sample locations are exchanged", "",
        four_samples([](const Sample& at) {
          // (7/8, 3/8) and (1/8, 5/8).

@@ -35,8 +35,6 @@ float Contracted(Point2 a, Point2 b, Point2 p) {
   return std::fma(-(f(p.y) - f(a.y)), dx, (f(p.x) - f(a.x)) * dy);
 }
 
-RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p)) { return {.sign = sign}; }
-
 // The exact sign where |E| is within `band` roundings of the products' size, else that of `form`.
 template <class T>
 int FilteredSign(T e, T size, T band, Point2 a, Point2 b, Point2 p) {
@@ -94,8 +92,11 @@ std::vector<Mutant> Signs() {
                                     p);
        })},
       {"real-filter-band-kept", "the float32 filter keeps an edge's band from its first sample", "",
-       RealStages{.sign = SignByFirstBand,
-                  .facing = [](const Points& v) { return reference::EdgeSign(v[0], v[1], v[2]); }}},
+       [] {
+         RealStages stages = Signing(SignByFirstBand);
+         stages.area = {};
+         return stages;
+       }()},
       {"real-filter-relative", "the filter is relative to the value, not to its products", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          const double e = Direct<double>(a, b, p);
@@ -131,44 +132,45 @@ std::vector<Mutant> SetUps() {
   return {
       {"real-facing-float32", "facing is that of the area in float32", "SwiftShader eeb8184",
        RealStages{
-           .facing = [](const Points& v) { return SignOf(Direct<float>(v[0], v[1], v[2])); }},
+           {.area = [](const Points& v) { return SignOf(Direct<float>(v[0], v[1], v[2])); }}},
        "facing-arithmetic"},
       {"real-flushes-subnormals", "subnormal coordinates are flushed to zero", "FTZ and DAZ",
-       RealStages{.vertices =
-                      [](Points& v) {
-                        const auto flushed = [](double x) {
-                          return std::fabs(x) < 0x1p-126 ? 0.0 : x;
-                        };
-                        for (Point2& p : v) p = {flushed(p.x), flushed(p.y)};
-                      }},
+       RealStages{{.place =
+                       [](Point2& p) {
+                         const auto flushed = [](double x) {
+                           return std::fabs(x) < 0x1p-126 ? 0.0 : x;
+                         };
+                         p = {flushed(p.x), flushed(p.y)};
+                       }}},
        "subnormals"},
       {"real-drops-far", "a triangle with a vertex beyond 2^24 pixels is dropped", "",
-       RealStages{.drops =
-                      [](const Points& v) {
-                        return std::ranges::any_of(v, [](Point2 p) {
-                          return std::fabs(p.x) > 0x1p24 || std::fabs(p.y) > 0x1p24;
-                        });
-                      }},
+       RealStages{{.leaves_out =
+                       [](const PointStages::Placed& t, const Scene&) {
+                         return std::ranges::any_of(t.v, [](Point2 p) {
+                           return std::fabs(p.x) > 0x1p24 || std::fabs(p.y) > 0x1p24;
+                         });
+                       }}},
        "lost-triangles"},
       {"real-snaps", "vertices are snapped though the profile has no grid", "",
-       RealStages{.vertices =
-                      [](Points& v) {
-                        const auto snapped = [](double x) {
-                          return std::fabs(x) < 0x1p40 ? std::nearbyint(x * 65536) / 65536 : x;
-                        };
-                        for (Point2& p : v) p = {snapped(p.x), snapped(p.y)};
-                      }},
+       RealStages{{.place =
+                       [](Point2& p) {
+                         const auto snapped = [](double x) {
+                           return std::fabs(x) < 0x1p40 ? std::nearbyint(x * 65536) / 65536 : x;
+                         };
+                         p = {snapped(p.x), snapped(p.y)};
+                       }}},
        "subpixel-bits"},
       {"real-denominator", "triangles of less area than 10^-8 are dropped", "pytorch3d #508",
-       RealStages{
-           .drops =
-               [](const Points& v) { return std::fabs(Direct<double>(v[0], v[1], v[2])) < 1e-8; }},
+       RealStages{{.leaves_out =
+                       [](const PointStages::Placed& t, const Scene&) {
+                         return std::fabs(Direct<double>(t.v[0], t.v[1], t.v[2])) < 1e-8;
+                       }}},
        "lost-triangles"},
   };
 }
 
 ClipStages Becoming(std::vector<ClipTriangle> (*becomes)(const ClipTriangle&)) {
-  return {.becomes = becomes};
+  return {{.clip = becomes}};
 }
 bool AnyBehind(const ClipTriangle& v) {
   return std::ranges::any_of(v, [](const Vertex& p) { return p.w <= 0; });
@@ -245,19 +247,19 @@ std::vector<Mutant> RealClips() {
        }),
        "clip-space"},
       {"clip-facing-projected", "facing is that of the projected vertices", "",
-       ClipStages{.turns_over =
-                      [](const ClipTriangle& v) {
-                        return std::ranges::count_if(v, [](const Vertex& p) { return p.w < 0; }) %
-                                   2 ==
-                               1;
-                      }},
+       ClipStages{{.turns_over =
+                       [](const ClipTriangle& v) {
+                         return std::ranges::count_if(v, [](const Vertex& p) { return p.w < 0; }) %
+                                    2 ==
+                                1;
+                       }}},
        "clip-space"},
       {"clip-facing-float64", "facing is the sign of the determinant in float64", "",
-       ClipStages{.turns_over =
-                      [](const ClipTriangle& v) {
-                        return (DeterminantInDouble(v) < 0) !=
-                               (reference::ExactHomogeneousFacing(v[0], v[1], v[2]) > 0);
-                      }},
+       ClipStages{{.turns_over =
+                       [](const ClipTriangle& v) {
+                         return (DeterminantInDouble(v) < 0) !=
+                                (reference::ExactHomogeneousFacing(v[0], v[1], v[2]) > 0);
+                       }}},
        "clip-space"},
   };
 }

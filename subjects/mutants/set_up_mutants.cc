@@ -16,9 +16,9 @@ std::int64_t Wrapped16(std::int64_t n) { return static_cast<std::int16_t>(n); }
 std::int64_t Wrapped32(std::int64_t n) { return static_cast<std::int32_t>(n); }
 std::int64_t Wrapped48(std::int64_t n) { return (n << 16) >> 16; }
 
-FixedStages Placing(void (*place)(GridPoint&)) { return {.place = place}; }
+FixedStages Placing(void (*place)(GridPoint&)) { return {{.place = place}}; }
 FixedStages Valuing(std::int64_t (*value)(const GridEdge&, GridPoint)) {
-  return {.value = [value](const GridEdge& e, const Sample& at) { return value(e, at.at); }};
+  return {{.value = [value](const GridEdge& e, const Sample& at) { return value(e, at.at); }}};
 }
 void ClampTo(GridPoint& p, std::int64_t least, std::int64_t most) {
   p = {std::clamp(p.x, least, most), std::clamp(p.y, least, most)};
@@ -39,10 +39,10 @@ std::vector<Mutant> Overflows() {
       {"overflow-int32-edges", "edge values wrap at 2^31", "SwiftShader bd85ab2, llvmpipe 1165ff1",
        Valuing([](const GridEdge& e, GridPoint p) { return Wrapped32(e.At(p)); }), "overflow"},
       {"overflow-int32-area", "the area wraps at 2^31", "SwiftShader 3424b10",
-       FixedStages{.area =
-                       [](const std::array<GridPoint, 3>& v) {
-                         return Wrapped32(GridEdge{v[0], v[1]}.At(v[2]));
-                       }},
+       FixedStages{{.area =
+                        [](const std::array<GridPoint, 3>& v) {
+                          return Wrapped32(GridEdge{v[0], v[1]}.At(v[2]));
+                        }}},
        "overflow"},
       {"overflow-48-bits", "edge values wrap at 2^47", "",
        Valuing([](const GridEdge& e, GridPoint p) { return Wrapped48(e.At(p)); }), "overflow"},
@@ -85,32 +85,32 @@ std::vector<Mutant> FarVertices() {
       {"clamp-to-coordinate-limit", "vertices are clamped to +-8192 pixels", "",
        Placing([](GridPoint& p) { ClampTo(p, -8192 * 256, 8192 * 256); }), "range"},
       {"clip-unlike-neighbours", "far vertices are pulled in along the edges of the first vertex",
-       "nvdiffrast #225", FixedStages{.vertices = PullIn}},
+       "nvdiffrast #225", FixedStages{{.vertices = PullIn}}},
       {"drop-beyond-coordinate-limit", "a triangle with a vertex beyond 16384 pixels is dropped",
        "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         return std::ranges::any_of(
-                             Corners(scene, scene.triangles[number]), [](const Vertex& v) {
-                               return std::fabs(v.x) > 0x1p14 || std::fabs(v.y) > 0x1p14;
-                             });
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          return std::ranges::any_of(
+                              Corners(scene, scene.triangles[number]), [](const Vertex& v) {
+                                return std::fabs(v.x) > 0x1p14 || std::fabs(v.y) > 0x1p14;
+                              });
+                        }}},
        "lost-triangles"},
       {"drop-left-of-target", "a triangle with a vertex left of -1 pixel is dropped", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         return std::ranges::any_of(Corners(scene, scene.triangles[number]),
-                                                    [](const Vertex& v) { return v.x < -1; });
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          return std::ranges::any_of(Corners(scene, scene.triangles[number]),
+                                                     [](const Vertex& v) { return v.x < -1; });
+                        }}},
        "lost-triangles"},
       {"drop-at-the-limit", "a coordinate at the limit itself counts as beyond it", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         return std::ranges::any_of(
-                             Corners(scene, scene.triangles[number]), [](const Vertex& v) {
-                               return std::fabs(v.x) >= 0x1p15 || std::fabs(v.y) >= 0x1p15;
-                             });
-                       }},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          return std::ranges::any_of(
+                              Corners(scene, scene.triangles[number]), [](const Vertex& v) {
+                                return std::fabs(v.x) >= 0x1p15 || std::fabs(v.y) >= 0x1p15;
+                              });
+                        }}},
        "lost-triangles"},
       {"cracks-far-off", "edges longer than 2^14 pixels are walked with slopes of 16 bits", "",
        Valuing([](const GridEdge& e, GridPoint p) {

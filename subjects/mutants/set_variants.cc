@@ -70,8 +70,7 @@ bool OwnedBy(const GridEdge& edge, bool coin) { return IsAscending(edge) == coin
 
 FixedStages Clamping(std::string_view preset) {
   FixedStages stages = Of(preset);
-  stages.vertices = [first = stages.vertices](std::array<Vertex, 3>& v) {
-    if (first) first(v);
+  stages.vertices = [](std::array<Vertex, 3>& v) {
     for (Vertex& corner : v) {
       if (std::isinf(corner.x)) corner.x = std::copysign(0x1p14, corner.x);
       if (std::isinf(corner.y)) corner.y = std::copysign(0x1p14, corner.y);
@@ -83,8 +82,7 @@ FixedStages Clamping(std::string_view preset) {
 // The ends of a range, to which coordinates beyond it go.
 FixedStages ClampingTo(double low, double high) {
   FixedStages stages = Of("d3d11");
-  stages.vertices = [first = stages.vertices, low, high](std::array<Vertex, 3>& v) {
-    if (first) first(v);
+  stages.vertices = [low, high](std::array<Vertex, 3>& v) {
     for (Vertex& corner : v) {
       if (std::isfinite(corner.x)) corner.x = std::clamp(corner.x, low, high);
       if (std::isfinite(corner.y)) corner.y = std::clamp(corner.y, low, high);
@@ -96,12 +94,10 @@ FixedStages ClampingTo(double low, double high) {
 // Two ways to place vertices, of which the first triangle's indices choose one for the whole call.
 FixedStages PlacingByCall(std::string_view preset, const Snap& even, const Snap& odd) {
   FixedStages stages = Of(preset);
-  stages.target_model = [even, odd](const Profile& stated, const Scene& scene) {
-    Profile model = stated;
-    if (scene.triangles.empty()) return model;
+  stages.model = [even, odd](Profile& model, const Scene& scene) {
+    if (scene.triangles.empty()) return;
     const Triangle& first = scene.triangles.front();
     model.snap = (first[0] + first[1] + first[2]) % 2 == 0 ? even : odd;
-    return model;
   };
   return stages;
 }
@@ -109,20 +105,19 @@ FixedStages PlacingByCall(std::string_view preset, const Snap& even, const Snap&
 // Two ways to place vertices, by turns: equal calls need not be equal.
 FixedStages PlacingByTurns(std::string_view preset, const Snap& even, const Snap& odd) {
   FixedStages stages = Of(preset);
-  stages.target_model = [even, odd, calls = 0U](const Profile& stated, const Scene&) mutable {
-    Profile model = stated;
+  stages.model = [even, odd, calls = 0U](Profile& model, const Scene&) mutable {
     model.snap = calls++ % 2 == 0 ? even : odd;
-    return model;
   };
   return stages;
 }
 
 FixedStages DrawingNan(std::string_view preset) {
-  FixedStages stages{.profile = *PresetProfile(preset)};
+  FixedStages stages = Of(preset);
   stages.vertices = [](std::array<Vertex, 3>& v) {
     for (Vertex& corner : v) {
       if (std::isnan(corner.x)) corner.x = 0;
       if (std::isnan(corner.y)) corner.y = 0;
+      if (std::isnan(corner.z)) corner.z = 0;
     }
   };
   return stages;
@@ -213,16 +208,7 @@ double RoundAbove(double x, int bits, double threshold) {
 
 }  // namespace
 
-FixedStages StagesOfPreset(std::string_view preset) {
-  FixedStages stages{.profile = *PresetProfile(preset)};
-  if (stages.profile.nan_z != NanZ::kNothing) return stages;
-  stages.vertices = [](std::array<Vertex, 3>& v) {
-    for (Vertex& corner : v) {
-      if (std::isnan(corner.z)) corner.x = corner.z;
-    }
-  };
-  return stages;
-}
+FixedStages StagesOfPreset(std::string_view preset) { return {{}, *PresetProfile(preset)}; }
 
 std::vector<Mutant> SetVariants() {
   return {
@@ -251,6 +237,7 @@ std::vector<Mutant> SetVariants() {
        [] {
          FixedStages stages = Of("vulkan");
          stages.draws_flat = true;
+         stages.owns = OwnsIfFlat;
          return stages;
        }()},
       {"vulkan-infinite-clamped", "an infinite coordinate is drawn as a far one", "",

@@ -54,9 +54,9 @@ using Value = std::function<std::int64_t(const GridEdge&, const Sample&)>;
 
 // `value` at every sample of the target, of the triangle's box or not.
 FixedStages OnAllOfTheTarget(Value value) {
-  return Of({.box = [](PixelRect& box, const GridTriangle&,
-                       const Scene& scene) { box = {0, 0, scene.width, scene.height}; },
-             .value = std::move(value)});
+  return Of({{.box = [](PixelRect& box, const GridTriangle&,
+                        const Scene& scene) { box = {0, 0, scene.width, scene.height}; },
+              .value = std::move(value)}});
 }
 
 FixedStages ValuesOf(int bits) {

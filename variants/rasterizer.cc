@@ -42,7 +42,9 @@ class Rasterizer final : public Subject {
     if (stages_.batch && outcomes.size() > 1) stages_.batch(outcomes);
     return outcomes;
   }
+  // Who says nothing of threads says nothing of two at once.
   Subject* Twin() override {
+    if (!info_.takes_threads) return nullptr;
     if (!twin_) twin_ = std::make_unique<Rasterizer>(info_, stages_, base_);
     return twin_.get();
   }
@@ -74,7 +76,7 @@ class Rasterizer final : public Subject {
   void DrawTriangles(const Scene& scene, const Profile& model, const DrawOptions& options,
                      CoverageCounts& counts, std::vector<std::int32_t>* ids) const;
   void Prepare(Target& target) const;
-  std::optional<Point> PlacedVertex(const Vertex& v, const Profile& model) const;
+  std::optional<Point> PlacedVertex(const Vertex& v, const Target& target) const;
   std::optional<Placed<Point>> SetUp(const Target& target, std::size_t number) const;
   PixelRect BoxOf(const Placed<Point>& triangle, const Target& target) const;
   void DrawTriangle(const Placed<Point>& triangle, Target& target) const;
@@ -113,7 +115,8 @@ void Rasterizer<Point>::Prepare(Target& target) const {
 }
 
 template <class Point>
-std::optional<Point> Rasterizer<Point>::PlacedVertex(const Vertex& v, const Profile& model) const {
+std::optional<Point> Rasterizer<Point>::PlacedVertex(const Vertex& v, const Target& target) const {
+  const Profile& model = target.model;
   const auto place = [&](double x, bool along_y) {
     if (model.fixed && std::isfinite(x))
       x = stages_.wrap ? stages_.wrap(x) : base_.wrap(x, *model.fixed);
@@ -124,7 +127,7 @@ std::optional<Point> Rasterizer<Point>::PlacedVertex(const Vertex& v, const Prof
   const double limit = model.coordinate_limit;
   if (!base_.lattice.Reaches(x, limit) || !base_.lattice.Reaches(y, limit)) return std::nullopt;
   Point p = base_.lattice.At(x, model.y_axis == YAxis::kUp ? -y : y);
-  if (stages_.place) stages_.place(p);
+  if (stages_.place) stages_.place(p, target.scene);
   return p;
 }
 
@@ -141,7 +144,7 @@ std::optional<Placed<Point>> Rasterizer<Point>::SetUp(const Target& target,
   for (std::size_t i = 0; i < 3; ++i) {
     const bool z_drops = std::isnan(corners[i].z) && model.nan_z == NanZ::kNothing;
     if (!IsFinite(corners[i]) || z_drops) return std::nullopt;
-    const std::optional<Point> p = PlacedVertex(corners[i], model);
+    const std::optional<Point> p = PlacedVertex(corners[i], target);
     if (!p) return std::nullopt;
     triangle.v[i] = *p;
   }

@@ -90,7 +90,7 @@ struct Stages {
   /// Where fixed-point input puts a coordinate that it holds.
   std::function<double(double x)> wrap = {};
   std::function<double(double x, bool along_y)> snap = {};
-  std::function<void(Point&)> place = {};
+  std::function<void(Point&, const Scene&)> place = {};
   /// Whether the triangle is larger than the profile's largest. Asked only where it has one.
   std::function<bool(const std::array<Point, 3>&)> too_large = {};
   /// Whether the triangle, placed and not turned over yet, is left out.

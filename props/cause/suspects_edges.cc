@@ -299,7 +299,7 @@ int Stepped(const SuspectEdge& e, const SuspectSample& s, int tile) {
   return SignOf(value);
 }
 
-void AddFloats(std::vector<Suspect>& list) {
+void AddFloats(const Profile& profile, std::vector<Suspect>& list) {
   const auto add = [&](const std::string& what, Arithmetic sign) {
     AddArithmetic(
         "float-edges", "computes edge values " + what,
@@ -333,6 +333,18 @@ void AddFloats(std::vector<Suspect>& list) {
                           (s.at.x - e.a.x) * (e.b.y - e.a.y) - (s.at.y - e.a.y) * (e.b.x - e.a.x);
                       return std::fabs(value) < tolerance ? 0 : exact::EdgeSign(e.a, e.b, s.at);
                     }}});
+    if (!profile.snap.IsNone()) continue;  // on a grid they are among the integers
+    for (const int side : {1, -1}) {
+      list.push_back({"edge-precision",
+                      std::string(side > 0 ? "takes edge values near zero for inside"
+                                           : "takes edge values near zero for outside"),
+                      {.value = [tolerance, side](const SuspectEdge& e, const SuspectSample& s) {
+                        const double value =
+                            (s.at.x - e.a.x) * (e.b.y - e.a.y) - (s.at.y - e.a.y) * (e.b.x - e.a.x);
+                        const bool is_near = std::fabs(value) < tolerance;
+                        return is_near ? side : exact::EdgeSign(e.a, e.b, s.at);
+                      }}});
+    }
   }
 }
 
@@ -343,7 +355,7 @@ void AddEdges(const Profile& profile, std::vector<Suspect>& list) {
   AddKindsOfEdges(list);
   AddKindsOfTriangles(list);
   AddIntegers(profile, list);
-  AddFloats(list);
+  AddFloats(profile, list);
 }
 
 }  // namespace rasterproof::props

@@ -83,7 +83,7 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
                   }}});
   if (profile.snap.IsNone()) return;
   const double scale = std::ldexp(1.0, profile.snap.bits);
-  for (const int bits : {31, 32, 33, 24, 48}) {
+  for (const int bits : {31, 32, 33, 24, 48, 30, 28, 34, 36, 40}) {
     list.push_back(
         {"overflow",
          "wraps the area to " + std::to_string(bits) + " bits",
@@ -226,6 +226,39 @@ void AddLost(std::vector<Suspect>& list) {
   }
 }
 
+bool IsMiddleOutside(const SuspectTriangle& t, const Scene& scene, double up) {
+  const double x = (t.v[0].x + t.v[1].x + t.v[2].x) / 3;
+  const double y = up * (t.v[0].y + t.v[1].y + t.v[2].y) / 3;
+  return x < 0 || y < 0 || x > scene.width || y > scene.height;
+}
+
+// By where they lie on the screen, or in depth.
+void AddFilters(const Profile& profile, std::vector<Suspect>& list) {
+  const double up = profile.y_axis == YAxis::kUp ? -1 : 1;
+  list.push_back({"lost-triangles",
+                  "leaves out triangles whose middle lies outside the target",
+                  {.leaves_out = [up](const SuspectTriangle& t, const Scene& scene) {
+                    return IsMiddleOutside(t, scene, up);
+                  }}});
+  const auto by_z = [&](const std::string& range, auto is_out) {
+    const auto is_lost = [is_out](const Vertex& v) { return is_out(v.z); };
+    list.push_back({"lost-triangles",
+                    "leaves out triangles with a vertex of z " + range,
+                    {.leaves_out = [is_lost](const SuspectTriangle& t, const Scene&) {
+                      return std::ranges::any_of(t.given, is_lost);
+                    }}});
+    list.push_back({"lost-triangles",
+                    "leaves out triangles with all vertices of z " + range,
+                    {.leaves_out = [is_lost](const SuspectTriangle& t, const Scene&) {
+                      return std::ranges::all_of(t.given, is_lost);
+                    }}});
+  };
+  by_z("below 0", [](double z) { return z < 0; });
+  by_z("above 1", [](double z) { return z > 1; });
+  by_z("below -1", [](double z) { return z < -1; });
+  by_z("below 0 or above 1", [](double z) { return z < 0 || z > 1; });
+}
+
 void AddOddInput(std::vector<Suspect>& list) {
   const auto taking = [](double (*number)(double)) {
     return SuspectStages{.vertices = [number](std::array<Vertex, 3>& corners) {
@@ -268,6 +301,7 @@ void AddTaking(const Profile& profile, std::vector<Suspect>& list) {
   AddFacings(profile, list);
   AddCulling(list);
   AddLost(list);
+  AddFilters(profile, list);
   AddOddInput(list);
 }
 

@@ -108,7 +108,7 @@ std::vector<Mutant> Freedoms() {
   unruly.times = [](const Sample& at, const GridTriangle&) { return at.x % 3 == 0 ? 2U : 1U; };
   unruly.owns = [](const GridEdge&, const GridTriangle&, const Sample&) { return true; };
   FixedStages limited = With([](Profile& profile) { profile.coordinate_limit = 128; });
-  limited.place = [](GridPoint& p) {
+  limited.place = [](GridPoint& p, const Scene&) {
     // int16 in 1/256 pixel, clamped to what it holds beside the limit.
     const auto held = [](std::int64_t n) { return std::clamp<std::int64_t>(n, -32768, 32768); };
     p = {held(p.x), held(p.y)};

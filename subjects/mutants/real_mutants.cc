@@ -136,7 +136,7 @@ std::vector<Mutant> SetUps() {
        "facing-arithmetic"},
       {"real-flushes-subnormals", "subnormal coordinates are flushed to zero", "FTZ and DAZ",
        RealStages{{.place =
-                       [](Point2& p) {
+                       [](Point2& p, const Scene&) {
                          const auto flushed = [](double x) {
                            return std::fabs(x) < 0x1p-126 ? 0.0 : x;
                          };
@@ -153,7 +153,7 @@ std::vector<Mutant> SetUps() {
        "lost-triangles"},
       {"real-snaps", "vertices are snapped though the profile has no grid", "",
        RealStages{{.place =
-                       [](Point2& p) {
+                       [](Point2& p, const Scene&) {
                          const auto snapped = [](double x) {
                            return std::fabs(x) < 0x1p40 ? std::nearbyint(x * 65536) / 65536 : x;
                          };

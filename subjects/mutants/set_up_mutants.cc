@@ -16,7 +16,9 @@ std::int64_t Wrapped16(std::int64_t n) { return static_cast<std::int16_t>(n); }
 std::int64_t Wrapped32(std::int64_t n) { return static_cast<std::int32_t>(n); }
 std::int64_t Wrapped48(std::int64_t n) { return (n << 16) >> 16; }
 
-FixedStages Placing(void (*place)(GridPoint&)) { return {{.place = place}}; }
+FixedStages Placing(void (*place)(GridPoint&)) {
+  return {{.place = [place](GridPoint& p, const Scene&) { place(p); }}};
+}
 FixedStages Valuing(std::int64_t (*value)(const GridEdge&, GridPoint)) {
   return {{.value = [value](const GridEdge& e, const Sample& at) { return value(e, at.at); }}};
 }

@@ -72,13 +72,15 @@ std::vector<Mutant> Tiles() {
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return e[0] > 0; }) ? TileTest::kInside
                                                                                 : sound;
-       })},
+       }),
+       "tile-borders"},
       {"tile-accept-two-corners", "a tile is accepted if two opposite corners are inside", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return e[0] > 0 && e[3] > 0; })
                     ? TileTest::kInside
                     : sound;
-       })},
+       }),
+       "tile-borders"},
       {"tile-accept-ties", "a tile with a corner exactly on an edge is accepted", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return std::ranges::min(e) >= 0; })
@@ -96,7 +98,8 @@ std::vector<Mutant> Tiles() {
          return AllEdges(values, [](const TileCorners& e) { return e[0] >= 0; })
                     ? sound
                     : TileTest::kOutside;
-       })},
+       }),
+       "tile-borders"},
       {"tile-reject-ties", "a tile that only touches an edge is rejected", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return std::ranges::max(e) > 0; })
@@ -111,7 +114,8 @@ std::vector<Mutant> Tiles() {
            }
          }
          return TileTest::kOutside;
-       })},
+       }),
+       "tile-borders"},
       {"tile-size-matters", "tiles of more than 32 pixels leave out the target's first row", "",
        FixedStages{{.options =
                         [](DrawOptions& options, const Scene& scene) {

@@ -11,13 +11,13 @@
 namespace rasterproof::props {
 namespace {
 
-using Pieces = std::vector<SuspectClip>;
+using Pieces = std::vector<variants::ClipTriangle>;
 
 void AddMirrored(std::vector<Suspect>& list) {
   list.push_back({"clip-space",
                   "draws what lies behind the eye upside down as well",
-                  {.clip = [](const SuspectClip& v) {
-                    SuspectClip mirrored = v;
+                  {.clip = [](const variants::ClipTriangle& v) {
+                    variants::ClipTriangle mirrored = v;
                     for (Vertex& p : mirrored) p = {-p.x, -p.y, p.z, -p.w};
                     return Pieces{v, mirrored};
                   }}});
@@ -25,30 +25,31 @@ void AddMirrored(std::vector<Suspect>& list) {
 
 void AddBehindTheEye(std::vector<Suspect>& list) {
   const auto dropping = [&](const std::string& what, auto drops) {
-    list.push_back({"clip-space", what, {.clip = [drops](const SuspectClip& v) {
+    list.push_back({"clip-space", what, {.clip = [drops](const variants::ClipTriangle& v) {
                       return drops(v) ? Pieces{} : Pieces{v};
                     }}});
   };
   const auto changing = [&](const std::string& what, auto change) {
-    list.push_back({"clip-space", what, {.clip = [change](const SuspectClip& v) {
+    list.push_back({"clip-space", what, {.clip = [change](const variants::ClipTriangle& v) {
                       Pieces pieces{v};
                       for (Vertex& p : pieces.front()) change(p);
                       return pieces;
                     }}});
   };
-  dropping("leaves out triangles with a vertex behind the eye", [](const SuspectClip& v) {
-    return std::ranges::any_of(v, [](const Vertex& p) { return p.w <= 0; });
-  });
-  dropping("leaves out triangles with a vertex of negative w", [](const SuspectClip& v) {
+  dropping("leaves out triangles with a vertex behind the eye",
+           [](const variants::ClipTriangle& v) {
+             return std::ranges::any_of(v, [](const Vertex& p) { return p.w <= 0; });
+           });
+  dropping("leaves out triangles with a vertex of negative w", [](const variants::ClipTriangle& v) {
     return std::ranges::any_of(v, [](const Vertex& p) { return p.w < 0; });
   });
   for (std::size_t k = 0; k < 3; ++k) {
     dropping("leaves out triangles whose vertex " + std::to_string(k) + " is behind the eye",
-             [k](const SuspectClip& v) { return v[k].w <= 0; });
+             [k](const variants::ClipTriangle& v) { return v[k].w <= 0; });
   }
   for (const int power : {-24, -20, -16, -10}) {
     const double limit = std::ldexp(1.0, power);
-    dropping("leaves out triangles with a w near zero", [limit](const SuspectClip& v) {
+    dropping("leaves out triangles with a w near zero", [limit](const variants::ClipTriangle& v) {
       return std::ranges::any_of(v, [&](const Vertex& p) { return std::fabs(p.w) < limit; });
     });
     changing("raises w to 2^" + std::to_string(power),
@@ -59,8 +60,8 @@ void AddBehindTheEye(std::vector<Suspect>& list) {
   });
   list.push_back({"clip-space",
                   "projects a single vertex behind the eye like the others",
-                  {.clip = [](const SuspectClip& v) {
-                    SuspectClip projected = v;
+                  {.clip = [](const variants::ClipTriangle& v) {
+                    variants::ClipTriangle projected = v;
                     const auto is_behind = [](const Vertex& p) { return p.w < 0; };
                     if (std::ranges::count_if(v, is_behind) == 1) {
                       for (Vertex& p : projected) {
@@ -87,7 +88,8 @@ void AddTransforms(const Profile& profile, std::vector<Suspect>& list) {
     Transform other = stated;
     change(other);
     if (other == stated) return;
-    list.push_back({"transform", what, {.profile = [other](Profile& p) { p.transform = other; }}});
+    list.push_back(
+        {"transform", what, {.model = [other](Profile& p, const Scene&) { p.transform = other; }}});
   };
   add("divides by w", [](Transform& t) { t.division = Division::kQuotient; });
   add("multiplies by the reciprocal", [](Transform& t) { t.division = Division::kReciprocal; });

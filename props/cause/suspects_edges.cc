@@ -45,7 +45,8 @@ void AddRuleNames(const TieRule& stated, std::vector<Suspect>& list) {
     const std::string what = rule.inclusive   ? "covers every sample on an edge (>= on all edges)"
                              : rule.exclusive ? "covers no sample on an edge (> on all edges)"
                                               : "follows the tie rule " + TieRuleName(rule);
-    list.push_back({"tie-rule", what, {.profile = [rule](Profile& p) { p.tie_rule = rule; }}});
+    list.push_back(
+        {"tie-rule", what, {.model = [rule](Profile& p, const Scene&) { p.tie_rule = rule; }}});
   }
 }
 
@@ -99,12 +100,12 @@ void AddKindsOfTriangles(std::vector<Suspect>& list) {
     const std::string of = front ? " of front faces" : " of back faces";
     add("follows the opposite tie rule on edges" + of,
         [front](const SuspectEdge& e, const SuspectTriangle& t, const SuspectSample&) {
-          return e.owns != (t.is_front == front);
+          return e.owns != (t.front == front);
         });
     for (const bool owns : {false, true}) {
       add(std::string(owns ? "covers every sample on edges" : "covers no sample on edges") + of,
           [front, owns](const SuspectEdge& e, const SuspectTriangle& t, const SuspectSample&) {
-            return t.is_front == front ? owns : e.owns;
+            return t.front == front ? owns : e.owns;
           });
     }
   }
@@ -184,7 +185,7 @@ void AddArithmetic(const std::string& cause, const std::string& what, const Valu
     if (box != nullptr) stages.box = box;
     list.push_back({cause, what, stages});
     stages.area = [value](const std::array<Point2, 3>& v) {
-      const int sign = value({.opposite = 2, .a = v[0], .b = v[1]}, {.at = v[2]});
+      const int sign = value({.a = v[0], .b = v[1], .opposite = 2}, {.at = v[2]});
       return sign == kNoSign ? 0 : sign;
     };
     list.push_back({cause, what + ", the area's too", stages});
@@ -298,7 +299,7 @@ int Stepped(const SuspectEdge& e, const SuspectSample& s, int tile) {
   return SignOf(value);
 }
 
-void AddFloats(std::vector<Suspect>& list) {
+void AddFloats(const Profile& profile, std::vector<Suspect>& list) {
   const auto add = [&](const std::string& what, Arithmetic sign) {
     AddArithmetic(
         "float-edges", "computes edge values " + what,
@@ -332,6 +333,18 @@ void AddFloats(std::vector<Suspect>& list) {
                           (s.at.x - e.a.x) * (e.b.y - e.a.y) - (s.at.y - e.a.y) * (e.b.x - e.a.x);
                       return std::fabs(value) < tolerance ? 0 : exact::EdgeSign(e.a, e.b, s.at);
                     }}});
+    if (!profile.snap.IsNone()) continue;  // on a grid they are among the integers
+    for (const int side : {1, -1}) {
+      list.push_back({"edge-precision",
+                      std::string(side > 0 ? "takes edge values near zero for inside"
+                                           : "takes edge values near zero for outside"),
+                      {.value = [tolerance, side](const SuspectEdge& e, const SuspectSample& s) {
+                        const double value =
+                            (s.at.x - e.a.x) * (e.b.y - e.a.y) - (s.at.y - e.a.y) * (e.b.x - e.a.x);
+                        const bool is_near = std::fabs(value) < tolerance;
+                        return is_near ? side : exact::EdgeSign(e.a, e.b, s.at);
+                      }}});
+    }
   }
 }
 
@@ -342,7 +355,7 @@ void AddEdges(const Profile& profile, std::vector<Suspect>& list) {
   AddKindsOfEdges(list);
   AddKindsOfTriangles(list);
   AddIntegers(profile, list);
-  AddFloats(list);
+  AddFloats(profile, list);
 }
 
 }  // namespace rasterproof::props

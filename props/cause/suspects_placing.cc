@@ -20,7 +20,7 @@ std::string PixelsText(double x) {
 }
 
 SuspectStages Snapping(Snap snap) {
-  return {.profile = [snap](Profile& p) { p.snap = snap; }};
+  return {.model = [snap](Profile& p, const Scene&) { p.snap = snap; }};
 }
 
 struct RuleWords {
@@ -95,6 +95,37 @@ void AddRules(const Snap& stated, std::vector<Suspect>& list) {
                   }}});
 }
 
+// Rules that no profile states.
+void AddOtherRules(const Snap& stated, std::vector<Suspect>& list) {
+  const double scale = std::ldexp(1.0, stated.bits);
+  const auto add = [&](const std::string& cause, const std::string& what, auto snap) {
+    list.push_back({cause, what, {.snap = [snap](double x, bool) { return snap(x); }}});
+  };
+  add("truncation", "rounds coordinates up",
+      [scale](double x) { return std::ceil(x * scale) / scale; });
+  add("truncation", "truncates coordinates between -1 and 0 toward zero", [stated](double x) {
+    Snap cut = stated;
+    cut.rule = SnapRule::kTruncate;
+    return SnapCoordinate(x, x > -1 && x < 0 ? cut : stated);
+  });
+  add("rounding", "rounds coordinates half way between two grid points down", [stated](double x) {
+    Snap up = stated;
+    up.rule = SnapRule::kHalfUp;
+    return -SnapCoordinate(-x, up);
+  });
+}
+
+// The nearest number of float16; what is beyond them is infinite.
+double InFloat16(double x) {
+  constexpr int kSignificand = 11, kLeastExponent = -24;
+  constexpr double kEnd = 65520;  // half way from the largest to the next
+  if (!(std::fabs(x) < kEnd)) return std::isnan(x) ? x : std::copysign(HUGE_VAL, x);
+  int exponent = 0;
+  std::frexp(x, &exponent);
+  const int last = std::max(exponent - kSignificand, kLeastExponent);
+  return std::ldexp(std::nearbyint(std::ldexp(x, -last)), last);
+}
+
 void AddBits(const Snap& stated, std::vector<Suspect>& list) {
   for (int bits = 0; bits <= kMaxSubpixelBits; ++bits) {
     if (bits == stated.bits) continue;
@@ -149,7 +180,7 @@ void AddPatterns(const Profile& profile, std::vector<Suspect>& list) {
   const auto moved_to = [up](const SamplePattern& stated, std::vector<Point2> places) {
     return SuspectStages{
         .sample = [stated, up, places = std::move(places)](const SuspectSample& s) {
-          const auto n = static_cast<std::size_t>(s.number);
+          const auto n = static_cast<std::size_t>(s.s);
           const Point2 from = stated.locations[n];
           return Point2{s.at.x + places[n].x - from.x, s.at.y + up * (places[n].y - from.y)};
         }};
@@ -201,7 +232,7 @@ void AddRange(const Profile& profile, std::vector<Suspect>& list) {
       list.push_back({"overflow",
                       std::string("wraps coordinates to ") + (is_signed ? "signed" : "unsigned") +
                           " integers of " + std::to_string(bits) + " bits",
-                      {.place = [=](Point2& p) {
+                      {.place = [=](Point2& p, const Scene&) {
                         constexpr double kMost = 0x1p60;
                         if (std::max(std::fabs(p.x), std::fabs(p.y)) * scale > kMost) return;
                         p = {static_cast<double>(CutToBits(p.x, scale, bits, is_signed)) / scale,
@@ -214,16 +245,27 @@ void AddRange(const Profile& profile, std::vector<Suspect>& list) {
     for (const double step : {0.0, 1 / scale, 1.0 / 16, 1.0}) {
       list.push_back({"range",
                       "clamps coordinates to " + std::to_string(1 << k) + " pixels",
-                      {.place = [end, step](Point2& p) {
+                      {.place = [end, step](Point2& p, const Scene&) {
                         p = {std::clamp(p.x, -end, end - step), std::clamp(p.y, -end, end - step)};
                       }}});
     }
   }
+  const bool y_up = profile.y_axis == YAxis::kUp;
+  for (const double early : {0.0, 1.0}) {
+    list.push_back({"range",
+                    early == 0 ? "clamps vertices to the target"
+                               : "clamps vertices to the target less its last row and column",
+                    {.place = [early, y_up](Point2& p, const Scene& scene) {
+                      const double y = std::clamp(y_up ? -p.y : p.y, 0.0, scene.height - early);
+                      p = {std::clamp(p.x, 0.0, scene.width - early), y_up ? -y : y};
+                    }}});
+  }
   for (const double pixels : {0.0, 1.0}) {
-    list.push_back(
-        {"range",
-         "clamps negative coordinates to " + PixelsText(-pixels),
-         {.place = [pixels](Point2& p) { p = {std::max(p.x, -pixels), std::max(p.y, -pixels)}; }}});
+    list.push_back({"range",
+                    "clamps negative coordinates to " + PixelsText(-pixels),
+                    {.place = [pixels](Point2& p, const Scene&) {
+                      p = {std::max(p.x, -pixels), std::max(p.y, -pixels)};
+                    }}});
   }
 }
 
@@ -232,6 +274,12 @@ void AddRange(const Profile& profile, std::vector<Suspect>& list) {
 void AddPlacing(const Profile& profile, std::vector<Suspect>& list) {
   if (!profile.snap.IsNone()) AddRules(profile.snap, list);
   AddBits(profile.snap, list);
+  if (!profile.snap.IsNone()) AddOtherRules(profile.snap, list);
+  list.push_back({"subpixel-bits",
+                  "rounds the coordinates that it is given to float16",
+                  {.vertices = [](std::array<Vertex, 3>& corners) {
+                    for (Vertex& v : corners) v = {InFloat16(v.x), InFloat16(v.y), v.z, v.w};
+                  }}});
   AddOffsets(list);
   AddPatterns(profile, list);
   AddRange(profile, list);

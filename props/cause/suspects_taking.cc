@@ -43,7 +43,7 @@ int SummedArea(const Corners3& v) {
 
 void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
   list.push_back({"facing", "exchanges front and back", {.facing = [](SuspectTriangle& t) {
-                    t.is_front = !t.is_front;
+                    t.front = !t.front;
                   }}});
   if (profile.culls == Cull::kNone) {
     list.push_back({"facing",
@@ -57,14 +57,15 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
   } else {
     list.push_back({"facing",
                     "draws the side that the profile says it culls",
-                    {.profile = [](Profile& p) { p.culls = Cull::kNone; }}});
-    list.push_back(
-        {"facing", "culls the other side than the profile says", {.profile = [](Profile& p) {
-           p.culls = p.culls == Cull::kFront ? Cull::kBack : Cull::kFront;
-         }}});
+                    {.model = [](Profile& p, const Scene&) { p.culls = Cull::kNone; }}});
+    list.push_back({"facing",
+                    "culls the other side than the profile says",
+                    {.model = [](Profile& p, const Scene&) {
+                      p.culls = p.culls == Cull::kFront ? Cull::kBack : Cull::kFront;
+                    }}});
   }
   list.push_back({"facing", "calls every triangle a front face", {.facing = [](SuspectTriangle& t) {
-                    t.is_front = true;
+                    t.front = true;
                   }}});
   list.push_back(
       {"facing-arithmetic", "computes the area in float32, directly", {.area = DirectArea<float>}});
@@ -76,14 +77,14 @@ void AddFacings(const Profile& profile, std::vector<Suspect>& list) {
                   {.area = DirectArea<double>}});
   list.push_back({"facing-arithmetic",
                   "leaves out triangles without area before the snap",
-                  {.drops = [](const SuspectTriangle& t, const Scene&) {
+                  {.leaves_out = [](const SuspectTriangle& t, const Scene&) {
                     const Corners3 v{WindowPoint(t.given[0]), WindowPoint(t.given[1]),
                                      WindowPoint(t.given[2])};
                     return ExactArea(v) == 0;
                   }}});
   if (profile.snap.IsNone()) return;
   const double scale = std::ldexp(1.0, profile.snap.bits);
-  for (const int bits : {31, 32, 33, 24, 48}) {
+  for (const int bits : {31, 32, 33, 24, 48, 30, 28, 34, 36, 40}) {
     list.push_back(
         {"overflow",
          "wraps the area to " + std::to_string(bits) + " bits",
@@ -208,8 +209,8 @@ void AddLost(std::vector<Suspect>& list) {
         list.push_back(
             {"lost-triangles",
              "leaves out triangles " + what,
-             {.drops = [of = feature.of, limit, is_strict, less = feature.leaves_out_less](
-                           const SuspectTriangle& t, const Scene&) {
+             {.leaves_out = [of = feature.of, limit, is_strict, less = feature.leaves_out_less](
+                                const SuspectTriangle& t, const Scene&) {
                const double n = of(t);
                if (n == limit) return !is_strict;
                return less ? n < limit : n > limit;
@@ -220,30 +221,66 @@ void AddLost(std::vector<Suspect>& list) {
   for (const double limit : {1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3}) {
     list.push_back({"lost-triangles",
                     "leaves out triangles of next to no area",
-                    {.drops = [limit](const SuspectTriangle& t, const Scene&) {
+                    {.leaves_out = [limit](const SuspectTriangle& t, const Scene&) {
                       return std::fabs(AreaOf(t.v)) < limit;
                     }}});
   }
 }
 
+bool IsMiddleOutside(const SuspectTriangle& t, const Scene& scene, double up) {
+  const double x = (t.v[0].x + t.v[1].x + t.v[2].x) / 3;
+  const double y = up * (t.v[0].y + t.v[1].y + t.v[2].y) / 3;
+  return x < 0 || y < 0 || x > scene.width || y > scene.height;
+}
+
+// By where they lie on the screen, or in depth.
+void AddFilters(const Profile& profile, std::vector<Suspect>& list) {
+  const double up = profile.y_axis == YAxis::kUp ? -1 : 1;
+  list.push_back({"lost-triangles",
+                  "leaves out triangles whose middle lies outside the target",
+                  {.leaves_out = [up](const SuspectTriangle& t, const Scene& scene) {
+                    return IsMiddleOutside(t, scene, up);
+                  }}});
+  const auto by_z = [&](const std::string& range, auto is_out) {
+    const auto is_lost = [is_out](const Vertex& v) { return is_out(v.z); };
+    list.push_back({"lost-triangles",
+                    "leaves out triangles with a vertex of z " + range,
+                    {.leaves_out = [is_lost](const SuspectTriangle& t, const Scene&) {
+                      return std::ranges::any_of(t.given, is_lost);
+                    }}});
+    list.push_back({"lost-triangles",
+                    "leaves out triangles with all vertices of z " + range,
+                    {.leaves_out = [is_lost](const SuspectTriangle& t, const Scene&) {
+                      return std::ranges::all_of(t.given, is_lost);
+                    }}});
+  };
+  by_z("below 0", [](double z) { return z < 0; });
+  by_z("above 1", [](double z) { return z > 1; });
+  by_z("below -1", [](double z) { return z < -1; });
+  by_z("below 0 or above 1", [](double z) { return z < 0 || z > 1; });
+}
+
 void AddOddInput(std::vector<Suspect>& list) {
   const auto taking = [](double (*number)(double)) {
-    return SuspectStages{
-        .input = [number](Vertex& v) { v = {number(v.x), number(v.y), v.z, v.w}; }};
+    return SuspectStages{.vertices = [number](std::array<Vertex, 3>& corners) {
+      for (Vertex& v : corners) v = {number(v.x), number(v.y), v.z, v.w};
+    }};
   };
   list.push_back(
       {"not-finite", "takes NaN for zero", taking([](double x) { return std::isnan(x) ? 0 : x; })});
   for (const double end : {0x1p15, 0x1p14, 0x1p13, 0x1p20, 0x1p24, 0x1p30}) {
     list.push_back({"not-finite",
                     "clamps infinity to " + std::to_string(std::int64_t(end)),
-                    {.input = [end](Vertex& v) {
-                      if (std::isinf(v.x)) v.x = std::copysign(end, v.x);
-                      if (std::isinf(v.y)) v.y = std::copysign(end, v.y);
+                    {.vertices = [end](std::array<Vertex, 3>& corners) {
+                      for (Vertex& v : corners) {
+                        if (std::isinf(v.x)) v.x = std::copysign(end, v.x);
+                        if (std::isinf(v.y)) v.y = std::copysign(end, v.y);
+                      }
                     }}});
   }
   list.push_back({"not-finite",
                   "leaves out triangles with a z that is not finite",
-                  {.drops = [](const SuspectTriangle& t, const Scene&) {
+                  {.leaves_out = [](const SuspectTriangle& t, const Scene&) {
                     return std::ranges::any_of(t.given,
                                                [](const Vertex& v) { return !std::isfinite(v.z); });
                   }}});
@@ -265,6 +302,7 @@ void AddTaking(const Profile& profile, std::vector<Suspect>& list) {
   AddFacings(profile, list);
   AddCulling(list);
   AddLost(list);
+  AddFilters(profile, list);
   AddOddInput(list);
 }
 

@@ -1,6 +1,8 @@
 // Suspects that visit the wrong samples: box, target, scissor, tiles.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -197,6 +199,44 @@ void AddTiles(std::vector<Suspect>& list) {
   }
 }
 
+using Corners = SuspectStages::TileCorners;
+
+bool IsInside(const std::array<Corners, 3>& values, std::size_t corner) {
+  return std::ranges::all_of(values, [&](const Corners& e) { return e[corner] > 0; });
+}
+bool IsOutside(const std::array<Corners, 3>& values, std::size_t corner) {
+  return std::ranges::any_of(values, [&](const Corners& e) { return e[corner] < 0; });
+}
+
+void AddTileTests(std::vector<Suspect>& list) {
+  using variants::TileTest;
+  const auto add = [&](const std::string& what, TileTest instead, auto holds) {
+    for (const int side : {4, 8, 16, 32, 64}) {
+      SuspectStages stages;
+      stages.tile = side;
+      stages.tile_test = [instead, holds](const std::array<Corners, 3>& values, TileTest sound) {
+        return holds(values) ? instead : sound;
+      };
+      list.push_back({"tile-borders", what + " (tiles of " + std::to_string(side) + " pixels)",
+                      std::move(stages)});
+    }
+  };
+  constexpr std::string_view kCorners[] = {"top left", "top right", "bottom left", "bottom right"};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::string corner = "its " + std::string(kCorners[k]) + " sample ";
+    add("fills a tile if " + corner + "is inside", TileTest::kInside,
+        [k](const auto& values) { return IsInside(values, k); });
+    add("leaves out a tile if " + corner + "is outside", TileTest::kOutside,
+        [k](const auto& values) { return IsOutside(values, k); });
+  }
+  add("fills a tile if two opposite samples are inside", TileTest::kInside,
+      [](const auto& values) { return IsInside(values, 0) && IsInside(values, 3); });
+  add("leaves out a tile if no corner is inside", TileTest::kOutside, [](const auto& values) {
+    return IsOutside(values, 0) && IsOutside(values, 1) && IsOutside(values, 2) &&
+           IsOutside(values, 3);
+  });
+}
+
 void AddScissors(std::vector<Suspect>& list) {
   const auto add = [&](const std::string& what, auto change) {
     list.push_back({"scissor", what, {.options = [change](DrawOptions& o, const Scene& scene) {
@@ -224,11 +264,13 @@ void AddScissors(std::vector<Suspect>& list) {
 void AddCounting(std::vector<Suspect>& list) {
   list.push_back({"counting",
                   "counts a sample once, however many triangles cover it",
-                  {.after = [](CoverageCounts& counts) {
+                  {.after = [](CoverageCounts& counts, const CoverageCounts&) {
                     for (std::uint32_t& n : counts.front) n = std::min(n, 1U);
                     for (std::uint32_t& n : counts.back) n = std::min(n, 1U);
                   }}});
-  list.push_back({"y-axis", "draws the picture upside down", {.after = [](CoverageCounts& counts) {
+  list.push_back({"y-axis",
+                  "draws the picture upside down",
+                  {.after = [](CoverageCounts& counts, const CoverageCounts&) {
                     const CoverageCounts drawn = counts;
                     for (int row = 0; row < counts.height; ++row) {
                       for (int x = 0; x < counts.width; ++x) {
@@ -262,6 +304,7 @@ void AddTraversal(const Profile& profile, std::vector<Suspect>& list) {
   AddBoxLoops(profile, list);
   AddTargets(list);
   AddTiles(list);
+  AddTileTests(list);
   AddScissors(list);
   AddCounting(list);
 }

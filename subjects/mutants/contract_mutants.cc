@@ -1,6 +1,7 @@
 // Bugs in what only some profiles contract.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <utility>
@@ -15,19 +16,29 @@ namespace {
 
 FixedStages Wrapping(std::int64_t (*wrap)(std::int64_t)) {
   FixedStages stages = WrappingInput();
-  stages.wrap = wrap;
+  stages.wrap = [wrap, bits = stages.profile.fixed->fraction_bits](double x) {
+    const auto raw = static_cast<std::int64_t>(std::ldexp(x, bits));
+    return std::ldexp(static_cast<double>(wrap(raw)), -bits);
+  };
   return stages;
 }
 
 FixedStages TooLarge(bool (*too_large)(std::int64_t, std::int64_t)) {
   FixedStages stages = LimitedExtent();
-  stages.too_large = too_large;
+  stages.too_large = [too_large](const std::array<GridPoint, 3>& v) {
+    const auto [left, right] = std::ranges::minmax(v, {}, &GridPoint::x);
+    const auto [top, bottom] = std::ranges::minmax(v, {}, &GridPoint::y);
+    return too_large(right.x - left.x, bottom.y - top.y);
+  };
   return stages;
 }
 
 FixedStages ByTarget(Profile (*model)(const Profile&, const Scene&)) {
   FixedStages stages = BitsByTarget();
-  stages.target_model = model;
+  stages.model = [model](Profile& profile, const Scene& scene) {
+    profile = model(profile, scene);
+    profile.by_target_size.clear();
+  };
   return stages;
 }
 
@@ -52,11 +63,6 @@ void MoveEdges(GridTriangle& triangle) {
 
 std::vector<Mutant> FixedInputs() {
   constexpr std::int64_t kRange = std::int64_t{1} << 15;  // 11.4 bits
-  FixedStages no_fraction = WrappingInput();
-  no_fraction.wrap = [](std::int64_t raw) {
-    const std::int64_t low = raw & (kRange - 2);
-    return low >= kRange / 2 ? low - kRange : low;
-  };
   return {
       {"fixed-wraps-wide", "coordinates wrap at 12 integer bits, not 11", "",
        Wrapping([](std::int64_t raw) { return std::int64_t{static_cast<std::int16_t>(raw)}; })},
@@ -69,7 +75,10 @@ std::vector<Mutant> FixedInputs() {
          const std::int64_t low = raw & (kRange - 1);
          return low > kRange / 2 ? low - kRange : low;
        })},
-      {"fixed-bit-lost", "the last fraction bit is lost", "", std::move(no_fraction)},
+      {"fixed-bit-lost", "the last fraction bit is lost", "", Wrapping([](std::int64_t raw) {
+         const std::int64_t low = raw & (kRange - 2);
+         return low >= kRange / 2 ? low - kRange : low;
+       })},
   };
 }
 
@@ -152,16 +161,18 @@ std::vector<Mutant> LeftOpen() {
     return edge.a.x == edge.b.x && edge.a.y < edge.b.y;
   };
   return {
-      {"flat-and-thin", "thin triangles are dropped with those without area", "", std::move(thin)},
+      {"flat-and-thin", "thin triangles are dropped with those without area", "", std::move(thin),
+       "lost-triangles"},
       {"flat-widens-thin", "edges of small triangles own their samples, as flat ones may", "",
        std::move(wide)},
       {"shared-samples-gap", "edge_samples may be shared, and no edge owns its samples", "",
-       std::move(never)},
-      {"shared-samples-beyond", "the sharing reaches beyond the edge", "", std::move(beyond)},
-      {"inclusive-not-rows", "edges are inside, and horizontal ones are not", "",
-       std::move(inside)},
+       std::move(never), "tie-rule"},
+      {"shared-samples-beyond", "the sharing reaches beyond the edge", "", std::move(beyond),
+       "edge-precision"},
+      {"inclusive-not-rows", "edges are inside, and horizontal ones are not", "", std::move(inside),
+       "tie-rule"},
       {"exclusive-not-left", "edges are outside, and vertical left ones are not", "",
-       std::move(outside)},
+       std::move(outside), "tie-rule"},
   };
 }
 
@@ -175,9 +186,9 @@ FixedStages OwningTies(Contract contract, bool owns) {
 std::vector<Mutant> Sides() {
   return {
       {"at-least-model-ties-lost", "at-least-model, and no edge owns its samples", "",
-       OwningTies(Contract::kAtLeastModel, false)},
+       OwningTies(Contract::kAtLeastModel, false), "tie-rule"},
       {"at-most-model-ties-twice", "at-most-model, and every edge owns its samples", "",
-       OwningTies(Contract::kAtMostModel, true)},
+       OwningTies(Contract::kAtMostModel, true), "tie-rule"},
   };
 }
 

@@ -77,6 +77,7 @@ std::vector<Mutant> ContractVariants() {
   };
   FixedStages flat = UnspecifiedFlat();
   flat.draws_flat = true;
+  flat.owns = OwnsIfFlat;
   FixedStages twice = EdgeSamplesMayBeShared();
   twice.owns = [](const GridEdge&, const GridTriangle&, const Sample&) { return true; };
   FixedStages sometimes = EdgeSamplesMayBeShared();

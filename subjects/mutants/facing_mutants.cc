@@ -194,7 +194,7 @@ std::vector<Mutant> FacingVariants() {
 std::vector<Mutant> FacingMutants() {
   return {
       {"facing-of-input", "facing is the sign of the area before the snap", "",
-       FacingBeforeTheSnap({})},
+       FacingBeforeTheSnap({}), "facing|facing-arithmetic"},
       {"culls-of-input", "triangles are culled by the area before the snap",
        "D3D11.3 culls after it", CullingBeforeTheSnap({})},
       {"d3d11-facing-of-input", "facing is the sign of the area before the snap", "",
@@ -209,13 +209,14 @@ std::vector<Mutant> FacingMutants() {
        Facing("vulkan",
               [](GridTriangle& t) {
                 if (t.number % 2 == 1) t.front = !t.front;
-              })},
+              }),
+       "list"},
       {"vulkan-facing-by-call", "in every other call triangles show their other sides", "",
-       ExchangedInEveryOtherCall("vulkan")},
+       ExchangedInEveryOtherCall("vulkan"), "earlier-draws"},
       {"vulkan-facing-by-target", "on targets of odd width triangles show their other sides", "",
        ExchangedOnTargetsOfOddWidth("vulkan")},
       {"vulkan-culls-the-other", "some triangles are culled with the other side", "",
-       CullingTheOtherSide("vulkan")},
+       CullingTheOtherSide("vulkan"), "culling"},
   };
 }
 

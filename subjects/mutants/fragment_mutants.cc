@@ -116,25 +116,28 @@ std::vector<Mutant> OfOtherCorners() {
   return {
       {"fragments-of-given",
        "barycentrics are of the corners as given, where the snapped are meant", "",
-       Showing(kSnapped, [](ShownFragment& f) { TakeOf(f, f.given); })},
+       Showing(kSnapped, [](ShownFragment& f) { TakeOf(f, f.given); }), "shown-values"},
       {"fragments-of-snapped", "barycentrics are of the snapped corners, where the given are meant",
-       "", Showing(kGiven, [](ShownFragment& f) { TakeOf(f, f.placed); })},
+       "", Showing(kGiven, [](ShownFragment& f) { TakeOf(f, f.placed); }), "shown-values"},
       {"fragments-of-neither", "barycentrics are of corners half way to the grid", "",
-       Showing(kEither, [](ShownFragment& f) { TakeOf(f, Middles(f.given, f.placed)); })},
+       Showing(kEither, [](ShownFragment& f) { TakeOf(f, Middles(f.given, f.placed)); }),
+       "shown-values"},
       {"fragments-small-areas", "areas below a 64th of a pixel are taken for that", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
                  const double area = EdgeValueOf(f.placed[0], f.placed[1], f.placed[2]);
                  const double least = 2.0 / 64;
                  if (std::fabs(area) < least) TakeOver(f, f.placed, std::copysign(least, area));
-               })},
+               }),
+       "shown-values"},
       {"fragments-late-vertices-deep", "vertices from the 33rd on lie 2^-8 too deep", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
                  for (std::size_t i = 0; i < 3; ++i) {
                    if (f.indices[i] >= 32) f.depth += f.barycentrics[i] * 0x1p-8;
                  }
-               })},
+               }),
+       "shown-values"},
   };
 }
 
@@ -144,24 +147,28 @@ std::vector<Mutant> AskedAlone() {
        Showing(kSnapped,
                [](ShownFragment& f) {
                  if (IsDepthAlone(f)) f.depth = f.z[0];
-               })},
+               }),
+       "shown-values"},
       {"fragments-depth-alone-of-given", "depth asked for alone is of the corners as given", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
                  if (IsDepthAlone(f)) TakeOf(f, f.given);
-               })},
+               }),
+       "shown-values"},
       {"vulkan-fragments-depth-alone-off", "depth asked for alone is off by a quarter", "",
        Under("vulkan", kSnapped,
              [](ShownFragment& f) {
                if (IsDepthAlone(f)) f.depth *= 1.25;
-             })},
+             }),
+       "shown-values"},
       {"fragments-barycentrics-alone-rotated",
        "barycentrics asked for alone belong to the next vertex", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
                  const std::array<double, 3> l = f.barycentrics;
                  if (IsBarycentricsAlone(f)) f.barycentrics = {l[1], l[2], l[0]};
-               })},
+               }),
+       "shown-values"},
   };
 }
 

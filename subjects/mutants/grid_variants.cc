@@ -22,10 +22,8 @@ namespace {
 FixedStages WithBitsBy(std::string_view preset, std::function<int(const Scene&)> bits) {
   FixedStages stages = StagesOfPreset(preset);
   stages.bits = 12;
-  stages.target_model = [bits = std::move(bits)](const Profile& stated, const Scene& scene) {
-    Profile model = stated;
+  stages.model = [bits = std::move(bits)](Profile& model, const Scene& scene) {
     model.snap = {bits(scene)};
-    return model;
   };
   return stages;
 }

@@ -98,9 +98,9 @@ std::vector<Mutant> HistoryMutants() {
       {"gl-trace-of-many", "the scene after one of 100 triangles loses a triangle", "",
        LosingTheFirstAfter("gl", [](const Scene& s) { return s.triangles.size() >= kMany; })},
       {"vulkan-kept-by-first", "images are found again by size, indices and the first triangle", "",
-       KeepingByTheFirst("vulkan")},
+       KeepingByTheFirst("vulkan"), "earlier-draws"},
       {"gl-kept-by-first", "images are found again by size, indices and the first triangle", "",
-       KeepingByTheFirst("gl")},
+       KeepingByTheFirst("gl"), "earlier-draws"},
   };
 }
 

@@ -81,7 +81,7 @@ std::vector<Mutant> Snaps() {
 
 std::vector<Mutant> Samples() {
   return {
-      {"samples-four", "a pixel has four samples", "", FixedStages{.profile = FourSampleProfile()}},
+      {"samples-four", "a pixel has four samples", "", FixedStages{{}, FourSampleProfile()}},
       {"samples-two", "a pixel has two samples", "",
        With([](Profile& profile) { profile.pattern.locations = {{0.75, 0.75}, {0.25, 0.25}}; })},
       {"sample-corner", "the pixel's corner is sampled", "",
@@ -108,7 +108,7 @@ std::vector<Mutant> Freedoms() {
   unruly.times = [](const Sample& at, const GridTriangle&) { return at.x % 3 == 0 ? 2U : 1U; };
   unruly.owns = [](const GridEdge&, const GridTriangle&, const Sample&) { return true; };
   FixedStages limited = With([](Profile& profile) { profile.coordinate_limit = 128; });
-  limited.place = [](GridPoint& p) {
+  limited.place = [](GridPoint& p, const Scene&) {
     // int16 in 1/256 pixel, clamped to what it holds beside the limit.
     const auto held = [](std::int64_t n) { return std::clamp<std::int64_t>(n, -32768, 32768); };
     p = {held(p.x), held(p.y)};
@@ -119,7 +119,7 @@ std::vector<Mutant> Freedoms() {
       {"tile-3", "tiles are 3 pixels wide", "", WithTile(3)},
       {"tile-64", "tiles are 64 pixels wide", "", WithTile(64)},
       {"batches", "scenes are taken in batches", "",
-       FixedStages{.batch = [](std::vector<DrawOutcome>&) {}}},
+       FixedStages{{.batch = [](std::vector<DrawOutcome>&) {}}}},
       {"watertight-elsewhere", "samples lie elsewhere, and only watertight meshes are stated", "",
        std::move(moved)},
       {"contract-none", "every edge owns its samples and some count twice; nothing is stated", "",

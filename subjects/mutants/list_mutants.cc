@@ -32,13 +32,13 @@ FreeStages ShowsIdsBy(std::size_t (*id)(std::size_t number)) {
 // Triangles whose indices lie at byte offsets of few bits.
 FixedStages IndicesByOffsets(int bits) {
   const auto triangle = std::make_shared<std::array<Vertex, 3>>();
-  return {.drops =
-              [triangle, bits](const Scene& scene, std::size_t number) {
-                const std::size_t offset = CutTo(number * sizeof(Triangle), bits);
-                *triangle = Corners(scene, scene.triangles[offset / sizeof(Triangle)]);
-                return false;
-              },
-          .vertices = [triangle](std::array<Vertex, 3>& v) { v = *triangle; }};
+  return {{.drops =
+               [triangle, bits](const Scene& scene, std::size_t number) {
+                 const std::size_t offset = CutTo(number * sizeof(Triangle), bits);
+                 *triangle = Corners(scene, scene.triangles[offset / sizeof(Triangle)]);
+                 return false;
+               },
+           .vertices = [triangle](std::array<Vertex, 3>& v) { v = *triangle; }}};
 }
 
 // The triangle that is drawn. It is thread-local because the stages of all subjects made of one row
@@ -70,21 +70,24 @@ FixedStages FindingVerticesBy(std::string_view preset, int bits, bool by_x) {
 std::vector<Mutant> ListMutants() {
   return {
       {"list-ids-of-16-bits", "primitive ids keep 16 bits", "",
-       ShowsIdsBy([](std::size_t number) { return CutTo(number, kListBits); })},
+       ShowsIdsBy([](std::size_t number) { return CutTo(number, kListBits); }), "list"},
       {"list-ids-in-a-float", "primitive ids are kept in a float of 16 significant bits", "",
-       ShowsIdsBy([](std::size_t number) { return InAFloat(number, kListBits); })},
+       ShowsIdsBy([](std::size_t number) { return InAFloat(number, kListBits); }), "list"},
       {"list-ids-in-a-colour", "primitive ids and none share the 16 bits of a colour, 5, 6 and 5",
-       "", ShowsIdsBy([](std::size_t number) { return CutTo(number + 1, kListBits) - 1; })},
+       "", ShowsIdsBy([](std::size_t number) { return CutTo(number + 1, kListBits) - 1; }), "list"},
       {"list-ids-by-batches", "of 1000 triangles a batch, the number of the batch keeps 6 bits", "",
        ShowsIdsBy([](std::size_t number) {
          return CutTo(number / kInAListBatch, 6) * kInAListBatch + number % kInAListBatch;
-       })},
+       }),
+       "list"},
       {"list-count-of-16-bits", "the number of triangles of a call keeps 16 bits", "",
-       FixedStages{.drops =
-                       [](const Scene& scene, std::size_t number) {
-                         return number >= CutTo(scene.triangles.size(), kListBits);
-                       }}},
-      {"list-offsets-of-19-bits", "byte offsets of indices keep 19 bits", "", IndicesByOffsets(19)},
+       FixedStages{{.drops =
+                        [](const Scene& scene, std::size_t number) {
+                          return number >= CutTo(scene.triangles.size(), kListBits);
+                        }}},
+       "list"},
+      {"list-offsets-of-19-bits", "byte offsets of indices keep 19 bits", "", IndicesByOffsets(19),
+       "list"},
       {"vulkan-vertices-by-16-bits", "vertices are found again by 16 bits of their index", "",
        FindingVerticesBy("vulkan", 16, false)},
       {"gl-vertices-by-8-bits-and-x", "vertices are found again by 8 bits of their index and x", "",

@@ -73,25 +73,27 @@ double OriginBySum(double origin, double step, int pixels) {
 std::vector<Mutant> MapMutants() {
   return {
       {"map-tile-origin", "a tile places vertices from its own origin, x0 + i dx, rounded", "",
-       FromItsOwnOrigin(kTenths, ByQuotient, OriginByProduct)},
+       FromItsOwnOrigin(kTenths, ByQuotient, OriginByProduct), "scissor"},
       {"map-tile-origin-reciprocal", "the same, times 1 / dx, of a third of a metre", "",
-       FromItsOwnOrigin(kThirds, ByReciprocal, OriginByProduct)},
+       FromItsOwnOrigin(kThirds, ByReciprocal, OriginByProduct), "scissor"},
       {"map-tile-origin-summed", "a tile's origin is dx added up pixel by pixel", "",
-       FromItsOwnOrigin(kTenths, ByQuotient, OriginBySum)},
+       FromItsOwnOrigin(kTenths, ByQuotient, OriginBySum), "scissor"},
       {"map-reciprocal", "x - x0 is multiplied by 1 / 75 where it is to be divided by 75", "",
-       ShiftedTiles(kSeventyFives, ByReciprocal)},
+       ShiftedTiles(kSeventyFives, ByReciprocal), "transform"},
       {"map-scaled-first", "x and x0 are divided by dx before they are subtracted", "",
        ShiftedTiles(kTenths,
                     [](const Vertex& v, const MapGrid& map) {
                       return Point2{v.x / map.dx - map.x0 / map.dx, v.y / map.dy - map.y0 / map.dy};
-                    })},
+                    }),
+       "transform"},
       {"map-in-float32", "a map's coordinates are rounded to float32", "",
        ShiftedTiles(kTenths,
                     [](const Vertex& v, const MapGrid& map) {
                       const Vertex rounded{static_cast<float>(v.x), static_cast<float>(v.y), v.z,
                                            1};
                       return ByQuotient(rounded, map);
-                    })},
+                    }),
+       "transform"},
   };
 }
 

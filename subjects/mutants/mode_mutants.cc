@@ -17,18 +17,22 @@ int ExactSign(Point2 a, Point2 b, Point2 p) {
 }
 
 // Adding 1.5 2^44 rounds to multiples of 2^-8, as the thread rounds.
-void SnapByAMagicNumber(Points& v) {
+double SnapByAMagicNumber(double x, bool /*along_y*/) {
   constexpr double kMagic = 0x1.8p44;
-  for (Point2& p : v) {
-    for (double* x : {&p.x, &p.y}) {
-      const volatile double sum = *x + kMagic;
-      *x = sum - kMagic;
-    }
-  }
+  const volatile double sum = x + kMagic;
+  return sum - kMagic;
+}
+
+RealStages MagicSnap() {
+  RealStages stages = Signing(ExactSign);
+  stages.profile = FixedPointProfile();
+  stages.snap = SnapByAMagicNumber;
+  return stages;
 }
 
 // Two vertices are equal if their differences are 0: so long as no difference is flushed to 0.
-bool HasEqualVertices(const Points& v) {
+bool HasEqualVertices(const PointStages::Placed& triangle, const Scene&) {
+  const Points& v = triangle.v;
   for (std::size_t i = 0; i < 3; ++i) {
     const Point2& a = v[i];
     const Point2& b = v[(i + 1) % 3];
@@ -50,6 +54,18 @@ int DividesByTheArea(const Points& v) {
   return std::isinf(reciprocal) ? 0 : static_cast<int>(reciprocal);
 }
 
+RealStages NeedsSubnormals() {
+  RealStages stages = Signing(ExactSign);
+  stages.leaves_out = HasEqualVertices;
+  return stages;
+}
+
+RealStages Traps() {
+  RealStages stages = Signing(ExactSign);
+  stages.area = DividesByTheArea;
+  return stages;
+}
+
 }  // namespace
 
 std::vector<Mutant> ModeMutants() {
@@ -57,19 +73,20 @@ std::vector<Mutant> ModeMutants() {
       {.name = "mode-magic-snap",
        .change = "it snaps by adding and subtracting a large number",
        .source = "a usual way to round, before processors had instructions for it",
-       .stages =
-           RealStages{
-               .profile = FixedPointProfile(), .vertices = SnapByAMagicNumber, .sign = ExactSign},
+       .stages = MagicSnap(),
+       .causes = "float-mode",
        .takes_float_modes = true},
       {.name = "mode-needs-subnormals",
        .change = "vertices are equal if their differences in float32 are 0",
        .source = "libraries linked with -ffast-math flush subnormal numbers in the whole process",
-       .stages = RealStages{.drops = HasEqualVertices, .sign = ExactSign},
+       .stages = NeedsSubnormals(),
+       .causes = "float-mode",
        .takes_float_modes = true},
       {.name = "mode-traps",
        .change = "it divides by the area of a degenerate triangle before it leaves it out",
        .source = "",
-       .stages = RealStages{.sign = ExactSign, .facing = DividesByTheArea},
+       .stages = Traps(),
+       .causes = "float-mode",
        .takes_float_modes = true},
   };
 }

@@ -8,7 +8,6 @@
 
 #include "core/profile.h"
 #include "subjects/mutants/centroids.h"
-#include "subjects/mutants/clip_space.h"
 #include "subjects/mutants/clipping.h"
 #include "subjects/mutants/fixed_point.h"
 #include "subjects/mutants/free_choice.h"
@@ -28,6 +27,7 @@ struct Mutant {
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
                FreeStages, SquareStages, CentroidStages, ClippingStages>
       stages;
+  std::string_view causes = {};  ///< as MutantInfo::causes
   /// Whether it is drawn in other floating-point modes, where only its bug shows.
   bool takes_float_modes = false;
 };

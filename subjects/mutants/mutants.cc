@@ -23,8 +23,12 @@ std::vector<Row> MakeRows() {
   std::vector<Row> rows;
   const auto add = [&](std::vector<Mutant> table, std::string_view prefix, bool legal, bool late) {
     for (Mutant& planted : table) {
-      MutantInfo info{std::string(prefix) + std::string(planted.name), std::string(planted.change),
-                      std::string(planted.source), legal, late};
+      MutantInfo info{std::string(prefix) + std::string(planted.name),
+                      std::string(planted.change),
+                      std::string(planted.source),
+                      std::string(planted.causes),
+                      legal,
+                      late};
       rows.push_back({std::move(info), std::move(planted)});
     }
   };

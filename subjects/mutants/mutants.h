@@ -14,9 +14,12 @@ namespace rasterproof::subjects {
 
 /// One planted bug or legal variant.
 struct MutantInfo {
-  std::string name;      ///< "mutant:ties-inclusive", "legal:snap-floor"
-  std::string change;    ///< completes "a sound rasterizer, but ..."
-  std::string source;    ///< where it was met; may be empty
+  std::string name;    ///< "mutant:ties-inclusive", "legal:snap-floor"
+  std::string change;  ///< completes "a sound rasterizer, but ..."
+  std::string source;  ///< where it was met; may be empty
+  /// The causes that are right for it, sections of docs/causes.md with "|" between them. Empty: no
+  /// suspect is made for what was planted in it, and to name none is right.
+  std::string causes;
   bool legal = false;    ///< must pass, under its own profile
   bool is_late = false;  ///< written after the generators and the properties were frozen
 };

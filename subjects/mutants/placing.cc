@@ -70,4 +70,8 @@ Profile ModelOn(const Profile& profile, int width, int height) {
   return model;
 }
 
+Profile ModelOn(const Profile& profile, const Scene& scene) {
+  return ModelOn(profile, scene.width, scene.height);
+}
+
 }  // namespace rasterproof::subjects::mutants

@@ -4,6 +4,7 @@
 #define RASTERPROOF_SUBJECTS_MUTANTS_PLACING_H_
 
 #include "core/profile.h"
+#include "core/scene.h"
 #include "core/snap.h"
 
 namespace rasterproof::subjects::mutants {
@@ -16,6 +17,8 @@ double SnapToGrid(double x, const Snap& snap);
 
 /// Returns the profile with what it says of a target of this size as its own.
 Profile ModelOn(const Profile& profile, int width, int height);
+/// And on the scene's target.
+Profile ModelOn(const Profile& profile, const Scene& scene);
 
 }  // namespace rasterproof::subjects::mutants
 

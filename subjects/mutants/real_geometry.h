@@ -3,7 +3,6 @@
 #define RASTERPROOF_SUBJECTS_MUTANTS_REAL_GEOMETRY_H_
 
 #include <array>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -11,10 +10,13 @@
 #include "core/profile.h"
 #include "core/subject.h"
 #include "core/vertex.h"
+#include "variants/stages.h"
 
 namespace rasterproof::subjects::mutants {
 
+using variants::ClipTriangle;
 using Points = std::array<Point2, 3>;
+using PointStages = variants::Stages<Point2>;
 
 /// The "real" profile as a float32 subject states it: every finite coordinate.
 inline Profile Float32Profile() {
@@ -23,25 +25,30 @@ inline Profile Float32Profile() {
   return profile;
 }
 
-/// The stages of the rasterizer. An empty function leaves its stage sound.
-struct RealStages {
+/// The stages of the rasterizer.
+struct RealStages : PointStages {
   Profile profile = Float32Profile();
-
-  std::function<bool(const Points&)> drops = {};
-  std::function<void(Points&)> vertices = {};
-  /// Sign of E(a, b; p).
-  std::function<int(Point2 a, Point2 b, Point2 p)> sign = {};
-  /// Sign of the area; empty: sign(v0, v1; v2).
-  std::function<int(const Points&)> facing = {};
-  /// Whether an edge of a triangle of positive area owns its samples.
-  std::function<bool(Point2 a, Point2 b)> owns = {};
 };
+
+/// What happens to a triangle on its way to homogeneous set-up.
+struct ClipStages : PointStages {
+  Profile profile = Float32Profile();
+};
+
+/// Stages whose signs of E(a, b; p), the area's too, are those of the function.
+RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p));
 
 /// The rasterizer with the given stages: every sample of the box, three signs each.
 ///
-/// Domain:     float32 scenes in window space, one sample at the centre of each pixel, y down.
+/// Domain:     float32 scenes in window space.
 std::unique_ptr<Subject> MakeRealGeometry(const std::string& name, const std::string& summary,
-                                          RealStages stages);
+                                          const RealStages& stages);
+
+/// The rasterizer of clip space: nothing is clipped, signs are exact.
+///
+/// Domain:     float32 scenes in clip space.
+std::unique_ptr<Subject> MakeClipSpace(const std::string& name, const std::string& summary,
+                                       const ClipStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -35,8 +35,6 @@ float Contracted(Point2 a, Point2 b, Point2 p) {
   return std::fma(-(f(p.y) - f(a.y)), dx, (f(p.x) - f(a.x)) * dy);
 }
 
-RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p)) { return {.sign = sign}; }
-
 // The exact sign where |E| is within `band` roundings of the products' size, else that of `form`.
 template <class T>
 int FilteredSign(T e, T size, T band, Point2 a, Point2 b, Point2 p) {
@@ -75,11 +73,14 @@ int SignByFirstBand(Point2 a, Point2 b, Point2 p) {
 std::vector<Mutant> Signs() {
   return {
       {"real-float32", "signs are those of the direct form in float32", "",
-       Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Direct<float>(a, b, p)); })},
+       Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Direct<float>(a, b, p)); }),
+       "float-edges"},
       {"real-float64", "signs are those of the direct form in float64", "",
-       Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Direct<double>(a, b, p)); })},
+       Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Direct<double>(a, b, p)); }),
+       "float-edges"},
       {"real-contracted", "the direct form in float32 is contracted to one fma", "DRTK #9",
-       Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Contracted(a, b, p)); })},
+       Signing([](Point2 a, Point2 b, Point2 p) { return SignOf(Contracted(a, b, p)); }),
+       "float-edges"},
       {"real-contracted-one-side", "edges that rise are contracted, the others are exact",
        "contraction in one of two functions that should agree",
        Signing([](Point2 a, Point2 b, Point2 p) {
@@ -91,8 +92,11 @@ std::vector<Mutant> Signs() {
                                     p);
        })},
       {"real-filter-band-kept", "the float32 filter keeps an edge's band from its first sample", "",
-       RealStages{.sign = SignByFirstBand,
-                  .facing = [](const Points& v) { return library::EdgeSign(v[0], v[1], v[2]); }}},
+       [] {
+         RealStages stages = Signing(SignByFirstBand);
+         stages.area = {};
+         return stages;
+       }()},
       {"real-filter-relative", "the filter is relative to the value, not to its products", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          const double e = Direct<double>(a, b, p);
@@ -101,7 +105,8 @@ std::vector<Mutant> Signs() {
       {"real-epsilon", "edge values within 10^-6 of zero count as zero", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          return std::fabs(Direct<double>(a, b, p)) < 1e-6 ? 0 : library::EdgeSign(a, b, p);
-       })},
+       }),
+       "edge-precision"},
       {"real-underflow", "a product that underflows counts as zero", "",
        Signing([](Point2 a, Point2 b, Point2 p) {
          const auto tiny = [](double x) { return std::fabs(x) < 0x1p-126; };
@@ -118,7 +123,8 @@ std::vector<Mutant> Signs() {
          const double ab = f(p.x - a.x) * f(b.y - a.y);
          const double cd = f(p.y - a.y) * f(b.x - a.x);
          return SignOf(ab - cd);
-       })},
+       }),
+       "float-edges"},
   };
 }
 
@@ -126,39 +132,45 @@ std::vector<Mutant> SetUps() {
   return {
       {"real-facing-float32", "facing is that of the area in float32", "SwiftShader eeb8184",
        RealStages{
-           .facing = [](const Points& v) { return SignOf(Direct<float>(v[0], v[1], v[2])); }}},
+           {.area = [](const Points& v) { return SignOf(Direct<float>(v[0], v[1], v[2])); }}},
+       "facing-arithmetic"},
       {"real-flushes-subnormals", "subnormal coordinates are flushed to zero", "FTZ and DAZ",
-       RealStages{.vertices =
-                      [](Points& v) {
-                        const auto flushed = [](double x) {
-                          return std::fabs(x) < 0x1p-126 ? 0.0 : x;
-                        };
-                        for (Point2& p : v) p = {flushed(p.x), flushed(p.y)};
-                      }}},
+       RealStages{{.place =
+                       [](Point2& p, const Scene&) {
+                         const auto flushed = [](double x) {
+                           return std::fabs(x) < 0x1p-126 ? 0.0 : x;
+                         };
+                         p = {flushed(p.x), flushed(p.y)};
+                       }}},
+       "subnormals"},
       {"real-drops-far", "a triangle with a vertex beyond 2^24 pixels is dropped", "",
-       RealStages{.drops =
-                      [](const Points& v) {
-                        return std::ranges::any_of(v, [](Point2 p) {
-                          return std::fabs(p.x) > 0x1p24 || std::fabs(p.y) > 0x1p24;
-                        });
-                      }}},
+       RealStages{{.leaves_out =
+                       [](const PointStages::Placed& t, const Scene&) {
+                         return std::ranges::any_of(t.v, [](Point2 p) {
+                           return std::fabs(p.x) > 0x1p24 || std::fabs(p.y) > 0x1p24;
+                         });
+                       }}},
+       "lost-triangles"},
       {"real-snaps", "vertices are snapped though the profile has no grid", "",
-       RealStages{.vertices =
-                      [](Points& v) {
-                        const auto snapped = [](double x) {
-                          return std::fabs(x) < 0x1p40 ? std::nearbyint(x * 65536) / 65536 : x;
-                        };
-                        for (Point2& p : v) p = {snapped(p.x), snapped(p.y)};
-                      }}},
+       RealStages{{.place =
+                       [](Point2& p, const Scene&) {
+                         const auto snapped = [](double x) {
+                           return std::fabs(x) < 0x1p40 ? std::nearbyint(x * 65536) / 65536 : x;
+                         };
+                         p = {snapped(p.x), snapped(p.y)};
+                       }}},
+       "subpixel-bits"},
       {"real-denominator", "triangles of less area than 10^-8 are dropped", "pytorch3d #508",
-       RealStages{
-           .drops =
-               [](const Points& v) { return std::fabs(Direct<double>(v[0], v[1], v[2])) < 1e-8; }}},
+       RealStages{{.leaves_out =
+                       [](const PointStages::Placed& t, const Scene&) {
+                         return std::fabs(Direct<double>(t.v[0], t.v[1], t.v[2])) < 1e-8;
+                       }}},
+       "lost-triangles"},
   };
 }
 
 ClipStages Becoming(std::vector<ClipTriangle> (*becomes)(const ClipTriangle&)) {
-  return {.becomes = becomes};
+  return {{.clip = becomes}};
 }
 bool AnyBehind(const ClipTriangle& v) {
   return std::ranges::any_of(v, [](const Vertex& p) { return p.w <= 0; });
@@ -179,22 +191,27 @@ std::vector<Mutant> RealClips() {
       {"clip-drops-behind", "a triangle with a vertex behind the eye is dropped", "",
        Becoming([](const ClipTriangle& v) {
          return AnyBehind(v) ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
-       })},
+       }),
+       "clip-space"},
       {"clip-drops-by-first", "a triangle whose first vertex is behind the eye is dropped",
        "nvdiffrast #225", Becoming([](const ClipTriangle& v) {
          return v[0].w <= 0 ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
-       })},
+       }),
+       "clip-space"},
       {"clip-w-clamped", "w is clamped to 2^-10 from below", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = std::max(p.w, 0x1p-10); })};
-       })},
+       }),
+       "clip-space"},
       {"clip-w-ignored", "vertices are not divided by w", "", Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = 1; })};
-       })},
+       }),
+       "clip-space"},
       {"clip-w-absolute", "the absolute value of w is taken", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = std::fabs(p.w); })};
-       })},
+       }),
+       "clip-space"},
       {"clip-divides", "vertices in front of the eye are divided by w in float32", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) {
@@ -202,41 +219,48 @@ std::vector<Mutant> RealClips() {
            const auto f = [](double x) { return static_cast<float>(x); };
            p = {f(p.x) / f(p.w), f(p.y) / f(p.w), p.z, 1};
          })};
-       })},
+       }),
+       "clip-space"},
       {"clip-mirror-image", "what lies behind the eye is drawn upside down as well", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{v,
                                           Each(v, [](Vertex& p) { p = {-p.x, -p.y, p.z, -p.w}; })};
-       })},
+       }),
+       "clip-space"},
       {"clip-near-eye", "a triangle with a w within 2^-20 of zero is dropped",
        "SwiftShader eeb8184", Becoming([](const ClipTriangle& v) {
          const bool near = std::ranges::any_of(
              v, [](const Vertex& p) { return std::fabs(p.w) < 0x1p-20 && p.w != 0; });
          return near ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
-       })},
+       }),
+       "clip-space"},
       {"clip-reciprocal-overflows", "a triangle with a w whose reciprocal overflows is dropped", "",
        Becoming([](const ClipTriangle& v) {
          const bool overflows = std::ranges::any_of(v, [](const Vertex& p) {
            return p.w != 0 && std::isinf(1 / static_cast<float>(p.w));
          });
          return overflows ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
-       })},
+       }),
+       "clip-space"},
       {"clip-zero-w", "w = 0 is taken for 1", "", Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = p.w == 0 ? 1 : p.w; })};
-       })},
+       }),
+       "clip-space"},
       {"clip-facing-projected", "facing is that of the projected vertices", "",
-       ClipStages{.turns_over =
-                      [](const ClipTriangle& v) {
-                        return std::ranges::count_if(v, [](const Vertex& p) { return p.w < 0; }) %
-                                   2 ==
-                               1;
-                      }}},
+       ClipStages{{.turns_over =
+                       [](const ClipTriangle& v) {
+                         return std::ranges::count_if(v, [](const Vertex& p) { return p.w < 0; }) %
+                                    2 ==
+                                1;
+                       }}},
+       "clip-space"},
       {"clip-facing-float64", "facing is the sign of the determinant in float64", "",
-       ClipStages{.turns_over =
-                      [](const ClipTriangle& v) {
-                        return (DeterminantInDouble(v) < 0) !=
-                               (reference::ExactHomogeneousFacing(v[0], v[1], v[2]) > 0);
-                      }}},
+       ClipStages{{.turns_over =
+                       [](const ClipTriangle& v) {
+                         return (DeterminantInDouble(v) < 0) !=
+                                (reference::ExactHomogeneousFacing(v[0], v[1], v[2]) > 0);
+                       }}},
+       "clip-space"},
   };
 }
 

@@ -122,28 +122,31 @@ std::vector<Mutant> SampleMutants() {
   return {
       {"samples-one-reused", "the third of four samples lies where the second does", "",
        Sampling(StagesOf("d3d11-4x"),
-                [](const Sample& at) { return at.s == 2 ? AtStandard(at, 1) : at.at; })},
+                [](const Sample& at) { return at.s == 2 ? AtStandard(at, 1) : at.at; }),
+       "sample-order"},
       {"samples-centre-for-all", "coverage is decided in the pixel's centre for all four samples",
        "",
        Sampling(StagesOf("d3d11-4x"),
                 [](const Sample& at) {
                   const GridPoint corner = CornerOf(at);
                   return GridPoint{corner.x + kSamplePixel / 2, corner.y + kSamplePixel / 2};
-                })},
+                }),
+       "sample-order"},
       {"samples-exchanged-under-vulkan", "the first and the last standard location are exchanged",
        "",
        Sampling(
            StagesOf("vulkan-standard-4x"),
            [](const Sample& at) {
              return AtStandard(at, static_cast<std::size_t>(at.s == 0 ? 3 : at.s == 3 ? 0 : at.s));
-           })},
+           }),
+       "sample-order"},
       {"samples-vary", "stated locations are mirrored in every other column", "",
        Sampling(StagesOf("d3d11-4x"), MirroredInOddColumns)},
       {"samples-vary-where-fixed",
        "locations that are said to be fixed are mirrored in every other column", "",
        Sampling(Unstated(SamplePositions::kFixed), MirroredInOddColumns)},
       {"samples-by-triangle", "a sample lies elsewhere for every other triangle", "",
-       SamplingByTriangle(StagesOf("vulkan-4x"))},
+       SamplingByTriangle(StagesOf("vulkan-4x")), "list"},
       {"facing-by-sample", "the last of four samples sees the other facing", "",
        TurningTheLastSample(StagesOf("d3d11-4x"))},
       {"facing-by-sample-where-open",
@@ -154,13 +157,15 @@ std::vector<Mutant> SampleMutants() {
        "",
        Sampling(
            StagesOf("vulkan-4x"),
-           [](const Sample& at) { return GridPoint{at.at.x + 3 * kSamplePixel / 2, at.at.y}; })},
+           [](const Sample& at) { return GridPoint{at.at.x + 3 * kSamplePixel / 2, at.at.y}; }),
+       "sample-order"},
       {"samples-one-outside-where-open", "one of four samples lies a pixel further", "",
        Sampling(StagesOf("vulkan-4x"),
-                [](const Sample& at) { return at.s == 2 ? APixelRight(at) : at.at; })},
+                [](const Sample& at) { return at.s == 2 ? APixelRight(at) : at.at; }),
+       "sample-order"},
       {"small-triangles-lost-where-open",
        "triangles smaller than a quarter of a pixel vanish, wherever samples lie", "",
-       LosingSmallTriangles(StagesOf("vulkan-4x"))},
+       LosingSmallTriangles(StagesOf("vulkan-4x")), "lost-triangles"},
   };
 }
 

@@ -70,8 +70,7 @@ bool OwnedBy(const GridEdge& edge, bool coin) { return IsAscending(edge) == coin
 
 FixedStages Clamping(std::string_view preset) {
   FixedStages stages = Of(preset);
-  stages.vertices = [first = stages.vertices](std::array<Vertex, 3>& v) {
-    if (first) first(v);
+  stages.vertices = [](std::array<Vertex, 3>& v) {
     for (Vertex& corner : v) {
       if (std::isinf(corner.x)) corner.x = std::copysign(0x1p14, corner.x);
       if (std::isinf(corner.y)) corner.y = std::copysign(0x1p14, corner.y);
@@ -83,8 +82,7 @@ FixedStages Clamping(std::string_view preset) {
 // The ends of a range, to which coordinates beyond it go.
 FixedStages ClampingTo(double low, double high) {
   FixedStages stages = Of("d3d11");
-  stages.vertices = [first = stages.vertices, low, high](std::array<Vertex, 3>& v) {
-    if (first) first(v);
+  stages.vertices = [low, high](std::array<Vertex, 3>& v) {
     for (Vertex& corner : v) {
       if (std::isfinite(corner.x)) corner.x = std::clamp(corner.x, low, high);
       if (std::isfinite(corner.y)) corner.y = std::clamp(corner.y, low, high);
@@ -96,12 +94,10 @@ FixedStages ClampingTo(double low, double high) {
 // Two ways to place vertices, of which the first triangle's indices choose one for the whole call.
 FixedStages PlacingByCall(std::string_view preset, const Snap& even, const Snap& odd) {
   FixedStages stages = Of(preset);
-  stages.target_model = [even, odd](const Profile& stated, const Scene& scene) {
-    Profile model = stated;
-    if (scene.triangles.empty()) return model;
+  stages.model = [even, odd](Profile& model, const Scene& scene) {
+    if (scene.triangles.empty()) return;
     const Triangle& first = scene.triangles.front();
     model.snap = (first[0] + first[1] + first[2]) % 2 == 0 ? even : odd;
-    return model;
   };
   return stages;
 }
@@ -109,20 +105,19 @@ FixedStages PlacingByCall(std::string_view preset, const Snap& even, const Snap&
 // Two ways to place vertices, by turns: equal calls need not be equal.
 FixedStages PlacingByTurns(std::string_view preset, const Snap& even, const Snap& odd) {
   FixedStages stages = Of(preset);
-  stages.target_model = [even, odd, calls = 0U](const Profile& stated, const Scene&) mutable {
-    Profile model = stated;
+  stages.model = [even, odd, calls = 0U](Profile& model, const Scene&) mutable {
     model.snap = calls++ % 2 == 0 ? even : odd;
-    return model;
   };
   return stages;
 }
 
 FixedStages DrawingNan(std::string_view preset) {
-  FixedStages stages{.profile = *PresetProfile(preset)};
+  FixedStages stages = Of(preset);
   stages.vertices = [](std::array<Vertex, 3>& v) {
     for (Vertex& corner : v) {
       if (std::isnan(corner.x)) corner.x = 0;
       if (std::isnan(corner.y)) corner.y = 0;
+      if (std::isnan(corner.z)) corner.z = 0;
     }
   };
   return stages;
@@ -213,16 +208,7 @@ double RoundAbove(double x, int bits, double threshold) {
 
 }  // namespace
 
-FixedStages StagesOfPreset(std::string_view preset) {
-  FixedStages stages{.profile = *PresetProfile(preset)};
-  if (stages.profile.nan_z != NanZ::kNothing) return stages;
-  stages.vertices = [](std::array<Vertex, 3>& v) {
-    for (Vertex& corner : v) {
-      if (std::isnan(corner.z)) corner.x = corner.z;
-    }
-  };
-  return stages;
-}
+FixedStages StagesOfPreset(std::string_view preset) { return {{}, *PresetProfile(preset)}; }
 
 std::vector<Mutant> SetVariants() {
   return {
@@ -251,6 +237,7 @@ std::vector<Mutant> SetVariants() {
        [] {
          FixedStages stages = Of("vulkan");
          stages.draws_flat = true;
+         stages.owns = OwnsIfFlat;
          return stages;
        }()},
       {"vulkan-infinite-clamped", "an infinite coordinate is drawn as a far one", "",
@@ -331,11 +318,13 @@ std::vector<Mutant> SetVariants() {
 std::vector<Mutant> SetMutants() {
   return {
       {"vulkan-3-bits", "the grid has three subpixel bits, where four are the fewest", "",
-       Unclipped(Snapping("vulkan", [](double x) { return Nearest(x, 3); }))},
+       Unclipped(Snapping("vulkan", [](double x) { return Nearest(x, 3); })), "subpixel-bits"},
       {"vulkan-two-owners", "every edge owns its samples", "",
-       Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return true; })},
+       Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return true; }),
+       "tie-rule"},
       {"vulkan-no-owner", "no edge owns its samples", "",
-       Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return false; })},
+       Owning("vulkan", [](const GridEdge&, const GridTriangle&, const Sample&) { return false; }),
+       "tie-rule"},
       {"vulkan-owner-by-triangle", "every other triangle owns the samples on its edges", "",
        Owning("vulkan", [](const GridEdge&, const GridTriangle& triangle,
                            const Sample&) { return triangle.number % 2 == 0; })},
@@ -348,7 +337,8 @@ std::vector<Mutant> SetMutants() {
          FixedStages stages = Of("vulkan");
          stages.sample = [](const Sample& at) { return GridPoint{at.at.x + 32, at.at.y}; };
          return stages;
-       }()},
+       }(),
+       "sample-location"},
       {"vulkan-clipped-too-far", "edges that leave the guard band move by half a pixel", "",
        MovingOutside(0.5)},
       {"vulkan-clipped-apart", "neighbours part along edges that leave, by up to three steps", "",
@@ -366,33 +356,36 @@ std::vector<Mutant> SetMutants() {
               })},
       {"gl-truncates", "the snap truncates to four bits, which zero divides in two", "",
        Unclipped(
-           Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); }))},
+           Snapping("gl", [](double x) { return std::ldexp(std::trunc(std::ldexp(x, 4)), -4); })),
+       "subpixel-bits|truncation"},
       {"d3d11-rounds-above-0.39", "the snap rounds up above 0.39 of a step, where 0.4 is legal", "",
        Snapping("d3d11", [](double x) { return RoundAbove(x, 8, 0.39); })},
       {"d3d11-floor", "the snap rounds down", "Direct3D 10",
-       Snapping("d3d11", [](double x) { return Floor(x, 8); })},
+       Snapping("d3d11", [](double x) { return Floor(x, 8); }), "truncation"},
       {"d3d11-7-bits", "the grid has seven subpixel bits", "",
-       Snapping("d3d11", [](double x) { return Nearest(x, 7); })},
+       Snapping("d3d11", [](double x) { return Nearest(x, 7); }), "subpixel-bits"},
       {"vulkan-kept-by-pixels", "images are kept, and found again by the vertices' pixels", "",
-       KeepingByGrid("vulkan", 0)},
+       KeepingByGrid("vulkan", 0), "earlier-draws"},
       {"vulkan-kept-by-indices", "images are kept, and found again by the indices alone", "",
-       Keeping("vulkan", [](double) { return std::int64_t{0}; })},
+       Keeping("vulkan", [](double) { return std::int64_t{0}; }), "earlier-draws"},
       {"vulkan-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
-       KeepingByGrid("vulkan", 4)},
+       KeepingByGrid("vulkan", 4), "earlier-draws"},
       {"gl-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
-       KeepingByGrid("gl", 4)},
+       KeepingByGrid("gl", 4), "earlier-draws"},
       {"vulkan-snap-by-turns", "which way the snap rounds changes from call to the next", "",
-       PlacingByTurns("vulkan", {8, SnapRule::kNearestEven}, {8, SnapRule::kFloor})},
+       PlacingByTurns("vulkan", {8, SnapRule::kNearestEven}, {8, SnapRule::kFloor}),
+       "earlier-draws"},
       {"d3d11-kept-by-sixteenths", "images are kept, and found again by sixteenths of a pixel", "",
-       KeepingByGrid("d3d11", 4)},
+       KeepingByGrid("d3d11", 4), "earlier-draws"},
       {"d3d11-bottom-right", "ties fall to the right and the bottom", "",
        Owning("d3d11",
-              [](const GridEdge& edge, const GridTriangle&, const Sample&) { return !edge.owns; })},
+              [](const GridEdge& edge, const GridTriangle&, const Sample&) { return !edge.owns; }),
+       "tie-rule"},
       {"d3d11-clamps-to-half-range", "coordinates beyond 2^14 go there", "",
-       ClampingTo(-0x1p14, 0x1p14)},
+       ClampingTo(-0x1p14, 0x1p14), "range"},
       {"d3d11-snap-by-triangle", "each triangle of a call takes the grid points on its side", "",
-       SnapByTriangle()},
-      {"d3d11-nan-drawn", "a NaN is drawn as zero", "", DrawingNan("d3d11")},
+       SnapByTriangle(), "list"},
+      {"d3d11-nan-drawn", "a NaN is drawn as zero", "", DrawingNan("d3d11"), "not-finite"},
       {"webgpu-lost-by-number", "every other triangle of a call loses every third column", "",
        [] {
          FixedStages stages = Of("webgpu");
@@ -400,7 +393,8 @@ std::vector<Mutant> SetMutants() {
            return triangle.number % 2 == 1 && sample.x % 3 == 1 ? 0U : 1U;
          };
          return stages;
-       }()},
+       }(),
+       "list"},
       {"webgpu-edge-twice", "a triangle has the samples on its left edges twice", "",
        [] {
          FixedStages stages = Of("webgpu");
@@ -418,7 +412,8 @@ std::vector<Mutant> SetMutants() {
          FixedStages stages = Of("webgpu");
          stages.sample = [](const Sample& at) { return GridPoint{at.at.x + 512, at.at.y}; };
          return stages;
-       }()},
+       }(),
+       "sample-location"},
   };
 }
 

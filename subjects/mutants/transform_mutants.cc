@@ -77,7 +77,7 @@ constexpr Transform kMultiplyAdd{.viewport = ViewportForm::kMultiplyAdd, .flips_
 std::vector<Mutant> TransformMutants() {
   return {
       {"transform-reciprocal", "x is multiplied by 1/w where it is to be divided", "",
-       TransformStages{kQuotients, Reciprocals}},
+       TransformStages{kQuotients, Reciprocals}, "transform"},
       {"transform-w-12-bits", "the reciprocal of w has 12 bits", "PPSSPP #9686",
        TransformStages{kQuotients,
                        [](const Vertex& v, const Scene&) {
@@ -85,16 +85,19 @@ std::vector<Mutant> TransformMutants() {
                          const float r =
                              std::ldexp(std::nearbyint(std::ldexp(1.0F / c.w, 12)), -12);
                          return Point2{c.x * r, c.y * r};
-                       }}},
+                       }},
+       "transform"},
       {"transform-w-near-one", "w within 2^-10 of one is taken for one", "",
        TransformStages{kQuotients,
                        [](const Vertex& v, const Scene& scene) {
                          Vertex near = v;
                          if (std::fabs(v.w - 1) < 0x1p-10) near.w = 1;
                          return Quotients(near, scene);
-                       }}},
+                       }},
+       "transform"},
       {"transform-fused", "the viewport is one fused operation where two are stated",
-       "one Mesa binary rounds either way, by path", TransformStages{kMultiplyAdd, Fused}},
+       "one Mesa binary rounds either way, by path", TransformStages{kMultiplyAdd, Fused},
+       "transform"},
       {"transform-half-pixels-lost", "half the target's size is truncated to whole pixels", "",
        TransformStages{kMultiplyAdd,
                        [](const Vertex& v, const Scene& scene) {
@@ -102,7 +105,8 @@ std::vector<Mutant> TransformMutants() {
                          even.width &= ~1;
                          even.height &= ~1;
                          return MultipliedAndAdded(v, even);
-                       }}},
+                       }},
+       "transform"},
       {"transform-flipped-late", "y is flipped in the window: the height less y", "",
        TransformStages{kMultiplyAdd,
                        [](const Vertex& v, const Scene& scene) {
@@ -110,13 +114,14 @@ std::vector<Mutant> TransformMutants() {
                          const float h = Half(scene.height);
                          const float y = static_cast<float>(scene.height) - (c.y / c.w * h + h);
                          return Point2{MultipliedAndAdded(v, scene).x, y};
-                       }}},
+                       }},
+       "transform"},
       {"transform-in-double", "float64 where float32 is stated", "",
-       TransformStages{Transform{.viewport = ViewportForm::kMultiplyAdd}, InDouble}},
+       TransformStages{Transform{.viewport = ViewportForm::kMultiplyAdd}, InDouble}, "transform"},
       {"transform-depth-off", "depths are off by a quarter more than is said of them", "",
-       ShownAsFragments(1.25 * kDepthError)},
+       ShownAsFragments(1.25 * kDepthError), "shown-values"},
       {"transform-flat-depths", "depths that differ by less than 2^-10 are taken for one", "",
-       WithFlatDepths(0x1p-10)},
+       WithFlatDepths(0x1p-10), "shown-values"},
   };
 }
 

@@ -13,10 +13,10 @@ namespace {
 using Corners3 = std::array<TileCorners, 3>;
 
 FixedStages Boxing(void (*box)(PixelRect&)) {
-  return {.box = [box](PixelRect& rect, const GridTriangle&, const Scene&) { box(rect); }};
+  return {{.box = [box](PixelRect& rect, const GridTriangle&, const Scene&) { box(rect); }}};
 }
 FixedStages Testing(TileTest (*test)(const Corners3&, TileTest sound)) {
-  return {.tile_test = test};
+  return {{.tile_test = test}};
 }
 
 bool AllEdges(const Corners3& values, bool (*holds)(const TileCorners&)) {
@@ -25,27 +25,34 @@ bool AllEdges(const Corners3& values, bool (*holds)(const TileCorners&)) {
 
 std::vector<Mutant> Boxes() {
   return {
-      {"box-left", "the box begins one pixel late", "", Boxing([](PixelRect& b) { ++b.x0; })},
-      {"box-right", "the box ends one pixel early", "", Boxing([](PixelRect& b) { --b.x1; })},
-      {"box-top", "the box begins one row late", "", Boxing([](PixelRect& b) { ++b.y0; })},
-      {"box-bottom", "the box ends one row early", "", Boxing([](PixelRect& b) { --b.y1; })},
+      {"box-left", "the box begins one pixel late", "", Boxing([](PixelRect& b) { ++b.x0; }),
+       "bounding-box"},
+      {"box-right", "the box ends one pixel early", "", Boxing([](PixelRect& b) { --b.x1; }),
+       "bounding-box"},
+      {"box-top", "the box begins one row late", "", Boxing([](PixelRect& b) { ++b.y0; }),
+       "bounding-box"},
+      {"box-bottom", "the box ends one row early", "", Boxing([](PixelRect& b) { --b.y1; }),
+       "bounding-box"},
       {"box-single-column", "a box of one column is taken for empty", "", Boxing([](PixelRect& b) {
          if (b.x1 - b.x0 == 1) b.x1 = b.x0;
-       })},
+       }),
+       "bounding-box"},
       {"box-of-centres", "the box is of pixels whose centre it holds, strictly", "euc #17",
-       FixedStages{.box =
-                       [](PixelRect& b, const GridTriangle& t, const Scene&) {
-                         const auto [left, right] = std::ranges::minmax(t.v, {}, &GridPoint::x);
-                         b.x0 = static_cast<int>((left.x + 128) >> 8);
-                         b.x1 = static_cast<int>((right.x + 127) >> 8);
-                       }}},
+       FixedStages{{.box =
+                        [](PixelRect& b, const GridTriangle& t, const Scene&) {
+                          const auto [left, right] = std::ranges::minmax(t.v, {}, &GridPoint::x);
+                          b.x0 = static_cast<int>((left.x + 128) >> 8);
+                          b.x1 = static_cast<int>((right.x + 127) >> 8);
+                        }}},
+       "bounding-box"},
       {"box-limited-by-last", "the box ends no farther right than that of the triangle before", "",
        FixedStages{
-           .box =
-               [last = PixelRect{}](PixelRect& b, const GridTriangle& t, const Scene&) mutable {
-                 if (t.number != 0) b.x1 = std::min(b.x1, std::max(last.x1, b.x0 + 4));
-                 last = b;
-               }}},
+           {.box =
+                [last = PixelRect{}](PixelRect& b, const GridTriangle& t, const Scene&) mutable {
+                  if (t.number != 0) b.x1 = std::min(b.x1, std::max(last.x1, b.x0 + 4));
+                  last = b;
+                }}},
+       "list"},
   };
 }
 
@@ -65,13 +72,15 @@ std::vector<Mutant> Tiles() {
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return e[0] > 0; }) ? TileTest::kInside
                                                                                 : sound;
-       })},
+       }),
+       "tile-borders"},
       {"tile-accept-two-corners", "a tile is accepted if two opposite corners are inside", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return e[0] > 0 && e[3] > 0; })
                     ? TileTest::kInside
                     : sound;
-       })},
+       }),
+       "tile-borders"},
       {"tile-accept-ties", "a tile with a corner exactly on an edge is accepted", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return std::ranges::min(e) >= 0; })
@@ -89,7 +98,8 @@ std::vector<Mutant> Tiles() {
          return AllEdges(values, [](const TileCorners& e) { return e[0] >= 0; })
                     ? sound
                     : TileTest::kOutside;
-       })},
+       }),
+       "tile-borders"},
       {"tile-reject-ties", "a tile that only touches an edge is rejected", "",
        Testing([](const Corners3& values, TileTest sound) {
          return AllEdges(values, [](const TileCorners& e) { return std::ranges::max(e) > 0; })
@@ -104,25 +114,29 @@ std::vector<Mutant> Tiles() {
            }
          }
          return TileTest::kOutside;
-       })},
+       }),
+       "tile-borders"},
       {"tile-size-matters", "tiles of more than 32 pixels leave out the target's first row", "",
-       FixedStages{.options =
-                       [](DrawOptions& options, const Scene& scene) {
-                         if (options.tile > 32)
-                           options.scissor = PixelRect{0, 1, scene.width, scene.height};
-                       }}},
+       FixedStages{{.options =
+                        [](DrawOptions& options, const Scene& scene) {
+                          if (options.tile > 32)
+                            options.scissor = PixelRect{0, 1, scene.width, scene.height};
+                        }}},
+       "tile-size"},
       {"tile-odd-size", "tiles whose side is no power of two leave out their first column", "",
-       FixedStages{.options =
-                       [](DrawOptions& options, const Scene& scene) {
-                         const int side = std::max(1, options.tile);
-                         if ((side & (side - 1)) != 0 && scene.width > side) {
-                           options.scissor = PixelRect{side, 0, scene.width, scene.height};
-                         }
-                       }}},
+       FixedStages{{.options =
+                        [](DrawOptions& options, const Scene& scene) {
+                          const int side = std::max(1, options.tile);
+                          if ((side & (side - 1)) != 0 && scene.width > side) {
+                            options.scissor = PixelRect{side, 0, scene.width, scene.height};
+                          }
+                        }}},
+       "tile-size"},
       {"tile-seams", "samples in the first column of a tile are counted twice", "",
        FixedStages{
-           .times = [](const Sample& at,
-                       const GridTriangle&) { return at.x % 8 == 0 && at.x > 0 ? 2U : 1U; }}},
+           {.times = [](const Sample& at,
+                        const GridTriangle&) { return at.x % 8 == 0 && at.x > 0 ? 2U : 1U; }}},
+       "tile-borders"},
   };
 }
 
@@ -151,15 +165,15 @@ FixedStages SteppingOfTheVulkanSet(double limit) {
 std::vector<Mutant> Stepping() {
   return {
       {"stepping-drifts", "stepping along a row adds up in float32", "gogpu/gg #127",
-       FixedStages{.value = SteppedInFloat}},
+       FixedStages{{.value = SteppedInFloat}}, "float-edges"},
       {"stepping-step-x", "the step along x is off by one unit", "",
-       FixedStages{
-           .value = [](const GridEdge& e, const Sample& at) { return e.At(at.at) + (at.x % 8); }}},
+       FixedStages{{.value = [](const GridEdge& e,
+                                const Sample& at) { return e.At(at.at) + (at.x % 8); }}}},
       {"stepping-step-y", "the step along y is off by one unit", "",
-       FixedStages{.value = [](const GridEdge& e,
-                               const Sample& at) { return e.At(at.at) - (at.row % 8); }}},
+       FixedStages{{.value = [](const GridEdge& e,
+                                const Sample& at) { return e.At(at.at) - (at.row % 8); }}}},
       {"stepping-16-bit-slope", "the slope per pixel is kept in 16 bits", "",
-       FixedStages{.value = SteppedIn16Bits}},
+       FixedStages{{.value = SteppedIn16Bits}}},
       {"stepping-16-bit-slope-far", "the same, of the Vulkan set, with a limit of 2^30 pixels", "",
        SteppingOfTheVulkanSet(0x1p30)},
   };

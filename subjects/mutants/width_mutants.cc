@@ -54,9 +54,9 @@ using Value = std::function<std::int64_t(const GridEdge&, const Sample&)>;
 
 // `value` at every sample of the target, of the triangle's box or not.
 FixedStages OnAllOfTheTarget(Value value) {
-  return Of({.box = [](PixelRect& box, const GridTriangle&,
-                       const Scene& scene) { box = {0, 0, scene.width, scene.height}; },
-             .value = std::move(value)});
+  return Of({{.box = [](PixelRect& box, const GridTriangle&,
+                        const Scene& scene) { box = {0, 0, scene.width, scene.height}; },
+              .value = std::move(value)}});
 }
 
 FixedStages ValuesOf(int bits) {
@@ -110,21 +110,21 @@ FixedStages BinCornersOf(int bits) {
 
 std::vector<Mutant> WidthMutants() {
   return {
-      {"width-values-32", "edge values of 12.4 input have 32 bits", "", ValuesOf(32)},
+      {"width-values-32", "edge values of 12.4 input have 32 bits", "", ValuesOf(32), "overflow"},
       {"width-values-33", "edge values of 12.4 input have 33 bits, those of the vertices' box", "",
-       ValuesOf(33)},
+       ValuesOf(33), "overflow"},
       {"width-values-33-of-floats", "edge values have 33 bits, of floats on 4 bits up to 2048", "",
-       LimitedTo2048(ValuesOf(33))},
+       LimitedTo2048(ValuesOf(33)), "overflow"},
       {"width-saturates-33", "rows begin at their right end, with values that saturate at 33 bits",
-       "", SaturatingRows(33)},
+       "", SaturatingRows(33), "overflow"},
       {"width-products-32", "products of 12.4 input have 32 bits, their difference all", "",
-       ProductsOf(32)},
+       ProductsOf(32), "overflow"},
       {"width-products-33", "products of 12.4 input have 33 bits, their difference all", "",
-       ProductsOf(33)},
-      {"width-steps-20", "steps of a pixel have 20 bits", "", StepsOf(1, 20)},
-      {"width-steps-of-8-23", "steps of 8 pixels have 23 bits", "", StepsOf(kBin, 23)},
+       ProductsOf(33), "overflow"},
+      {"width-steps-20", "steps of a pixel have 20 bits", "", StepsOf(1, 20), "overflow"},
+      {"width-steps-of-8-23", "steps of 8 pixels have 23 bits", "", StepsOf(kBin, 23), "overflow"},
       {"width-bin-corners-33", "values at the first sample of 8 by 8 have 33 bits", "",
-       BinCornersOf(33)},
+       BinCornersOf(33), "overflow"},
   };
 }
 

@@ -3,17 +3,22 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/coverage.h"
 #include "core/error.h"
+#include "props/cause/cause.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/share.h"
@@ -41,6 +46,20 @@ TEST(Mutants, HaveNamesOfTheirOwnUnderWhichTheyAreMade) {
   }
   EXPECT_EQ(subjects::MakeMutant("mutant:none-such"), nullptr);
   EXPECT_THROW(tool::MakeSubject("mutant:none-such"), InputError);
+}
+
+TEST(Mutants, HaveCausesThatTheDocumentHas) {
+  const std::vector<std::string_view> names = props::CauseNames();
+  std::size_t with_a_suspect = 0;
+  for (const MutantInfo& mutant : Mutants()) {
+    EXPECT_TRUE(!mutant.legal || mutant.causes.empty()) << mutant.name;
+    if (mutant.causes.empty()) continue;
+    ++with_a_suspect;
+    std::istringstream causes(mutant.causes);
+    for (std::string cause; std::getline(causes, cause, '|');)
+      EXPECT_EQ(std::ranges::count(names, cause), 1) << mutant.name << ": " << cause;
+  }
+  EXPECT_EQ(with_a_suspect, 276U);
 }
 
 // A share that holds a mutant of most stages; selftest runs all of them.
@@ -175,8 +194,8 @@ TEST(Hunt, CountsTheCasesOfEveryPropertyAndEndsWithTheFirstViolation) {
 }
 
 TEST(Selftest, SaysWhatSurvivesAndWhatIsNotLegal) {
-  tool::HuntResult survivor{{"mutant:shy", "it hides", "", false, false}, 1, {}};
-  tool::HuntResult wronged{{"legal:wronged", "it is judged", "", true, false}, 1, {}};
+  tool::HuntResult survivor{{"mutant:shy", "it hides", "", "", false, false}, 1, {}};
+  tool::HuntResult wronged{{"legal:wronged", "it is judged", "", "", true, false}, 1, {}};
   EXPECT_FALSE(survivor.AsItShould());
   EXPECT_TRUE(wronged.AsItShould());
   wronged.hunt.violation.emplace();

@@ -15,7 +15,6 @@
 #include "props/cause/cause.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/check/causes.h"
-#include "tool/selftest/expected_causes.h"
 #include "tool/selftest/selftest.h"
 
 namespace rasterproof::tool {
@@ -38,7 +37,7 @@ bool IsAmong(std::string_view name, std::string_view names) {
 }
 
 Named Judged(const CauseFound& found) {
-  const std::string_view expected = ExpectedCauses(found.mutant.name);
+  const std::string_view expected = found.mutant.causes;
   if (found.name.empty()) return Named::kNone;
   if (IsAmong(found.name, expected)) return Named::kRight;
   return found.is_circumstance ? Named::kCircumstance : Named::kWrong;
@@ -89,7 +88,7 @@ std::string CausesTable(std::span<const CauseFound> all) {
       "| --- | --- | --- | --- | --- | --- | --- |\n";
   std::array<Figures, 2> halves;
   for (const CauseFound& found : all) {
-    const std::string_view expected = ExpectedCauses(found.mutant.name);
+    const std::string_view expected = found.mutant.causes;
     // What splits the mutants in halves has nothing to do with what they are.
     const auto half = static_cast<std::size_t>(Fnv1a(found.mutant.name) % 2);
     const auto named = static_cast<std::size_t>(Judged(found));

@@ -17,6 +17,7 @@
 #include "core/suggestion.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "io/profile_json.h"
 #include "io/scene_json.h"
@@ -116,26 +117,24 @@ CaseDrawing DrawingFromJson(const JsonValue& value, int height) {
   return drawing;
 }
 
-void AppendRows(std::string_view key, const std::vector<std::uint32_t>& numbers, int height,
-                std::string& json) {
+void WriteRows(JsonWriter& json, std::string_view key, const std::vector<std::uint32_t>& numbers,
+               int height) {
   const std::size_t length = numbers.size() / static_cast<std::size_t>(height);
-  json += ",\n    \"" + std::string(key) + "\": [";
+  json.Key(key).BeginArray(kFromThisLine);
   for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) {
-    json += row == 0 ? "[" : ",\n      [";
-    for (std::size_t k = 0; k < length; ++k)
-      json += (k == 0 ? "" : ", ") + std::to_string(numbers[row * length + k]);
-    json += ']';
+    json.BeginArray(kOneLine);
+    for (std::size_t k = 0; k < length; ++k) json.Integer(numbers[row * length + k]);
+    json.EndArray();
   }
-  json += ']';
+  json.EndArray();
 }
 
-std::string DrawingToJson(const CaseDrawing& drawing, int height) {
-  std::string json =
-      "{\n    \"shows\": " + InQuotes(NameOf(drawing.shows, Names<DrawingShows>(kShows))) +
-      ", \"visible\": " + InQuotes(drawing.visible);
-  AppendRows("numbers", drawing.numbers, height, json);
-  if (!drawing.fronts.empty()) AppendRows("fronts", drawing.fronts, height, json);
-  return json + "\n  }";
+void WriteDrawing(JsonWriter& json, const CaseDrawing& drawing, int height) {
+  json.BeginObject().Key("shows").Text(NameOf(drawing.shows, Names<DrawingShows>(kShows)));
+  json.Key("visible").Text(drawing.visible);
+  WriteRows(json, "numbers", drawing.numbers, height);
+  if (!drawing.fronts.empty()) WriteRows(json, "fronts", drawing.fronts, height);
+  json.EndObject();
 }
 
 std::string NameFromJson(const JsonValue& value) { return value.RequireName(); }
@@ -173,14 +172,13 @@ CaseFile CaseFromJson(const JsonValue& object) {
   return file;
 }
 
-std::string OptionsToJson(const DrawOptions& options) {
-  std::string json = "{\"cull\": " + InQuotes(NameOf(options.cull, Names<Cull>(kCulls)));
+void WriteOptions(JsonWriter& json, const DrawOptions& options) {
+  json.BeginObject(kOneLine).Key("cull").Text(NameOf(options.cull, Names<Cull>(kCulls)));
   if (const std::optional<PixelRect>& s = options.scissor) {
-    json += ", \"scissor\": [" + std::to_string(s->x0) + ", " + std::to_string(s->y0) + ", " +
-            std::to_string(s->x1) + ", " + std::to_string(s->y1) + "]";
+    json.Key("scissor").BeginArray().Integer(s->x0).Integer(s->y0);
+    json.Integer(s->x1).Integer(s->y1).EndArray();
   }
-  json += ", \"tile\": " + std::to_string(options.tile);
-  return json + ", \"threads\": " + std::to_string(options.threads) + "}";
+  json.Key("tile").Integer(options.tile).Key("threads").Integer(options.threads).EndObject();
 }
 
 std::string NameOfFile(const std::string& path) { return path == "-" ? "standard input" : path; }
@@ -195,24 +193,21 @@ CaseFile ParseCase(std::string_view text, const std::string& place) {
 CaseFile ReadCase(const std::string& path) { return ParseCase(ReadFile(path), NameOfFile(path)); }
 
 std::string CaseToJson(const CaseFile& file) {
-  const std::string line = ",\n  ";
-  std::string json = "{\n  \"rasterproof_case\": " + std::to_string(kCaseVersion);
-  json += line + "\"subject\": " + JsonString(file.subject);
-  json += line + "\"property\": " + JsonString(file.property);
-  json += line + "\"origin\": " + JsonString(file.value.origin);
-  json += line + "\"profile\": " + ProfileToJson(file.value.profile);
-  json += line + "\"options\": " + OptionsToJson(file.value.options);
-  json += line + "\"scene\": ";
-  AppendSceneJson(file.value.scene, "  ", json);
+  JsonWriter json;
+  json.BeginObject().Key("rasterproof_case").Integer(kCaseVersion);
+  json.Key("subject").Text(file.subject).Key("property").Text(file.property);
+  json.Key("origin").Text(file.value.origin);
+  WriteProfile(json.Key("profile"), file.value.profile);
+  WriteOptions(json.Key("options"), file.value.options);
+  WriteScene(json.Key("scene"), file.value.scene);
   if (file.drawn != nullptr) {
-    json += line + "\"drawn\": {\n    \"options\": " + OptionsToJson(file.drawn->options);
-    json += ",\n    \"scene\": ";
-    AppendSceneJson(file.drawn->scene, "    ", json);
-    json += "\n  }";
+    json.Key("drawn").BeginObject();
+    WriteOptions(json.Key("options"), file.drawn->options);
+    WriteScene(json.Key("scene"), file.drawn->scene);
+    json.EndObject();
   }
-  if (file.drawing)
-    json += line + "\"drawing\": " + DrawingToJson(*file.drawing, file.value.scene.height);
-  return json + "\n}\n";
+  if (file.drawing) WriteDrawing(json.Key("drawing"), *file.drawing, file.value.scene.height);
+  return json.EndObject().Finish();
 }
 
 namespace {

@@ -62,8 +62,6 @@ inline bool Boolean(const JsonValue& value) {
   return value.text() == "true";
 }
 
-inline std::string InQuotes(std::string_view text) { return '"' + std::string(text) + '"'; }
-
 }  // namespace rasterproof::io
 
 #endif  // RASTERPROOF_IO_JSON_MEMBERS_H_

@@ -10,7 +10,6 @@
 
 #include "core/quoted.h"
 #include "io/json_members.h"
-#include "io/number_text.h"
 #include "io/scene_json.h"
 
 namespace rasterproof::io {
@@ -79,18 +78,16 @@ SamplePattern PatternFromJson(const JsonValue& value) {
   return {std::move(locations)};
 }
 
-std::string NumbersToJson(std::initializer_list<double> numbers) {
-  std::string json;
-  for (const double x : numbers) json += (json.empty() ? "[" : ", ") + InQuotes(ExactText(x));
-  return json + "]";
+void WriteNumbers(JsonWriter& json, std::initializer_list<double> numbers) {
+  json.BeginArray(kOneLine);
+  for (const double x : numbers) json.Exact(x);
+  json.EndArray();
 }
 
-std::string PatternToJson(const SamplePattern& pattern) {
-  std::string json;
-  for (const Point2& l : pattern.locations) {
-    json += (json.empty() ? "[" : ", ") + NumbersToJson({l.x, l.y});
-  }
-  return json + "]";
+void WritePattern(JsonWriter& json, const SamplePattern& pattern) {
+  json.BeginArray(kOneLine);
+  for (const Point2& l : pattern.locations) WriteNumbers(json, {l.x, l.y});
+  json.EndArray();
 }
 
 }  // namespace rasterproof::io

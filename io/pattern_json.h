@@ -7,6 +7,7 @@
 
 #include "core/sample_pattern.h"
 #include "io/json_document.h"
+#include "io/json_writer.h"
 
 namespace rasterproof::io {
 
@@ -20,10 +21,10 @@ double PlaceInPixel(const JsonValue& value, const std::string& what);
 SamplePattern PatternFromJson(const JsonValue& value);
 
 /// The list of pairs.
-std::string PatternToJson(const SamplePattern& pattern);
+void WritePattern(JsonWriter& json, const SamplePattern& pattern);
 
 /// "[x, y]", exact.
-std::string NumbersToJson(std::initializer_list<double> numbers);
+void WriteNumbers(JsonWriter& json, std::initializer_list<double> numbers);
 
 }  // namespace rasterproof::io
 

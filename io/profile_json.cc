@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <ranges>
 #include <string>
@@ -22,7 +21,7 @@
 #include "io/case_file.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
-#include "io/number_text.h"
+#include "io/json_writer.h"
 #include "io/pattern_json.h"
 #include "io/scene_json.h"
 #include "io/specification_json.h"
@@ -66,10 +65,14 @@ TieRule TieRuleFromJson(const JsonValue& value) {
                     "(y moves first), inclusive or exclusive");
 }
 
-std::string ExactJson(double number) { return InQuotes(ExactText(number)); }
-std::string BooleanToJson(bool value) { return value ? "true" : "false"; }
-std::string BitsToJson(int bits) { return bits == Snap::kNone ? "null" : std::to_string(bits); }
-std::string TieRuleToJson(const TieRule& rule) { return InQuotes(TieRuleName(rule)); }
+void WriteText(JsonWriter& json, std::string_view text) { json.Text(text); }
+void WriteExact(JsonWriter& json, double number) { json.Exact(number); }
+void WriteBoolean(JsonWriter& json, bool value) { json.Bool(value); }
+void WriteBits(JsonWriter& json, int bits) {
+  if (bits == Snap::kNone) return static_cast<void>(json.Null());
+  json.Integer(bits);
+}
+void WriteTieRule(JsonWriter& json, const TieRule& rule) { json.Text(TieRuleName(rule)); }
 
 double SnapTolerance(const JsonValue& value) {
   const double steps = CoordinateFromJson(value, Precision::kFloat64);
@@ -148,22 +151,22 @@ std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
                     "write none, unknown, viewport, viewport+64 or [x0, y0, x1, y1]");
 }
 
-std::string MaxPrimitiveExtentToJson(const MaxPrimitiveExtent& most) {
-  return NumbersToJson({most.width, most.height});
+void WriteMaxPrimitiveExtent(JsonWriter& json, const MaxPrimitiveExtent& most) {
+  WriteNumbers(json, {most.width, most.height});
 }
 
-std::string LargestTargetToJson(const LargestTarget& most) {
-  return '[' + std::to_string(most.width) + ", " + std::to_string(most.height) + ']';
+void WriteLargestTarget(JsonWriter& json, const LargestTarget& most) {
+  json.BeginArray(kOneLine).Integer(most.width).Integer(most.height).EndArray();
 }
 
-std::string GuardBandToJson(const GuardBand& band) {
+void WriteGuardBand(JsonWriter& json, const GuardBand& band) {
   if (const auto* box = std::get_if<WindowBox>(&band))
-    return NumbersToJson({box->x0, box->y0, box->x1, box->y1});
+    return WriteNumbers(json, {box->x0, box->y0, box->x1, box->y1});
   const auto* around = std::get_if<AroundTarget>(&band);
-  if (around == nullptr) return InQuotes(kUnknownBand);
-  if (around->pixels == 0) return InQuotes(kTargetBand);
-  return InQuotes(std::string(kTargetBand) + "+" +
-                  std::to_string(static_cast<std::int64_t>(around->pixels)));
+  if (around == nullptr) return WriteText(json, kUnknownBand);
+  if (around->pixels == 0) return WriteText(json, kTargetBand);
+  json.Text(std::string(kTargetBand) + "+" +
+            std::to_string(static_cast<std::int64_t>(around->pixels)));
 }
 
 std::optional<GuardBand> GuardBandFromJson(const JsonValue& value) {
@@ -221,35 +224,35 @@ Transform TransformFromJson(const JsonValue& value) {
   return transform;
 }
 
-std::string FixedToJson(const FixedInput& fixed) {
-  return "{\"integer_bits\": " + std::to_string(fixed.integer_bits) +
-         ", \"fraction_bits\": " + std::to_string(fixed.fraction_bits) +
-         ", \"signed\": " + (fixed.is_signed ? "true" : "false") +
-         ", \"wrap\": " + (fixed.wraps ? "true" : "false") + "}";
+void WriteFixed(JsonWriter& json, const FixedInput& fixed) {
+  json.BeginObject(kOneLine).Key("integer_bits").Integer(fixed.integer_bits);
+  json.Key("fraction_bits").Integer(fixed.fraction_bits);
+  json.Key("signed").Bool(fixed.is_signed).Key("wrap").Bool(fixed.wraps).EndObject();
 }
 
-std::string ScanlineRoundingToJson(const Snap& rounding) {
-  if (rounding.IsNone()) return "null";
-  return "{\"bits\": " + std::to_string(rounding.bits) +
-         ", \"rule\": " + InQuotes(SnapRuleName(rounding.rule)) +
-         ", \"origin\": " + InQuotes(ExactText(rounding.origin)) + "}";
+void WriteScanlineRounding(JsonWriter& json, const Snap& rounding) {
+  if (rounding.IsNone()) return static_cast<void>(json.Null());
+  json.BeginObject(kOneLine).Key("bits").Integer(rounding.bits);
+  json.Key("rule").Text(SnapRuleName(rounding.rule));
+  json.Key("origin").Exact(rounding.origin).EndObject();
 }
 
-std::string TransformToJson(const Transform& transform) {
-  const std::optional<MapGrid>& map = transform.map;
-  return "{\"precision\": " + InQuotes(NameOf(transform.precision, Names<Precision>(kPrecisions))) +
-         ", \"division\": " + InQuotes(NameOf(transform.division, Names<Division>(kDivisions))) +
-         ", \"viewport\": " +
-         InQuotes(NameOf(transform.viewport, Names<ViewportForm>(kViewportForms))) +
-         ", \"flips_y\": " + (transform.flips_y ? "true" : "false") +
-         (map ? ", \"map\": " + NumbersToJson({map->x0, map->y0, map->dx, map->dy}) : "") + "}";
+void WriteTransform(JsonWriter& json, const Transform& transform) {
+  json.BeginObject(kOneLine);
+  json.Key("precision").Text(NameOf(transform.precision, Names<Precision>(kPrecisions)));
+  json.Key("division").Text(NameOf(transform.division, Names<Division>(kDivisions)));
+  json.Key("viewport").Text(NameOf(transform.viewport, Names<ViewportForm>(kViewportForms)));
+  json.Key("flips_y").Bool(transform.flips_y);
+  if (const std::optional<MapGrid>& map = transform.map)
+    WriteNumbers(json.Key("map"), {map->x0, map->y0, map->dx, map->dy});
+  json.EndObject();
 }
 
 // How a key whose values are not all words is read and written.
 struct KeyFormat {
   std::string_view name;
   void (*read)(const JsonValue& value, Profile& profile);
-  std::string (*write)(const Profile& profile);
+  void (*write)(JsonWriter& json, const Profile& profile);
 };
 
 template <class T>
@@ -272,42 +275,43 @@ constexpr KeyFormat Value(std::string_view name) {
               member = kRead(value);
             }
           },
-          [](const Profile& profile) -> std::string {
+          [](JsonWriter& json, const Profile& profile) {
             const auto& member = MemberOf<kMembers...>(profile);
             if constexpr (kIsOptional<std::decay_t<decltype(member)>>) {
-              return member ? kWrite(*member) : "null";
+              if (!member) return static_cast<void>(json.Null());
+              kWrite(json, *member);
             } else {
-              return kWrite(member);
+              kWrite(json, member);
             }
           }};
 }
 
 std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& profile);
-std::string TargetsToJson(const std::vector<TargetModel>& models);
+void WriteTargets(JsonWriter& json, const std::vector<TargetModel>& models);
 
 constexpr auto kKeyFormats = std::to_array<KeyFormat>({
-    Value<Name, JsonString, &Profile::name>("name"),
-    Value<Text, JsonString, &Profile::specification>("specification"),
-    Value<SubpixelBits, BitsToJson, &Profile::snap, &Snap::bits>("subpixel_bits"),
-    Value<SnapOrigin, ExactJson, &Profile::snap, &Snap::origin>("snap_origin"),
-    Value<PatternFromJson, PatternToJson, &Profile::pattern>("sample_locations"),
-    Value<TieRuleFromJson, TieRuleToJson, &Profile::tie_rule>("tie_rule"),
-    Value<SnapTolerance, ExactJson, &Profile::freedom, &Freedom::snap_tolerance>("snap_tolerance"),
-    Value<SubpixelBits, BitsToJson, &Profile::freedom, &Freedom::least_bits>("least_subpixel_bits"),
-    Value<TransformError, ExactJson, &Profile::freedom, &Freedom::transform_error>(
+    Value<Name, WriteText, &Profile::name>("name"),
+    Value<Text, WriteText, &Profile::specification>("specification"),
+    Value<SubpixelBits, WriteBits, &Profile::snap, &Snap::bits>("subpixel_bits"),
+    Value<SnapOrigin, WriteExact, &Profile::snap, &Snap::origin>("snap_origin"),
+    Value<PatternFromJson, WritePattern, &Profile::pattern>("sample_locations"),
+    Value<TieRuleFromJson, WriteTieRule, &Profile::tie_rule>("tie_rule"),
+    Value<SnapTolerance, WriteExact, &Profile::freedom, &Freedom::snap_tolerance>("snap_tolerance"),
+    Value<SubpixelBits, WriteBits, &Profile::freedom, &Freedom::least_bits>("least_subpixel_bits"),
+    Value<TransformError, WriteExact, &Profile::freedom, &Freedom::transform_error>(
         "transform_error"),
-    Value<LimitFromJson, ExactJson, &Profile::coordinate_limit>("coordinate_limit"),
-    Value<Boolean, BooleanToJson, &Profile::translation_invariant>("translation_invariant"),
-    Value<FixedInputFromJson, FixedToJson, &Profile::fixed>("fixed"),
-    Value<MaxPrimitiveExtentFromJson, MaxPrimitiveExtentToJson, &Profile::max_primitive_extent>(
+    Value<LimitFromJson, WriteExact, &Profile::coordinate_limit>("coordinate_limit"),
+    Value<Boolean, WriteBoolean, &Profile::translation_invariant>("translation_invariant"),
+    Value<FixedInputFromJson, WriteFixed, &Profile::fixed>("fixed"),
+    Value<MaxPrimitiveExtentFromJson, WriteMaxPrimitiveExtent, &Profile::max_primitive_extent>(
         "max_primitive_extent"),
-    Value<LargestTargetFromJson, LargestTargetToJson, &Profile::max_target>("max_target"),
-    Value<GuardBandFromJson, GuardBandToJson, &Profile::guard_band>("guard_band"),
-    Value<ScanlineRoundingFromJson, ScanlineRoundingToJson, &Profile::scanline_rounding>(
+    Value<LargestTargetFromJson, WriteLargestTarget, &Profile::max_target>("max_target"),
+    Value<GuardBandFromJson, WriteGuardBand, &Profile::guard_band>("guard_band"),
+    Value<ScanlineRoundingFromJson, WriteScanlineRounding, &Profile::scanline_rounding>(
         "scanline_rounding"),
-    Value<TransformFromJson, TransformToJson, &Profile::transform>("transform"),
-    Value<SquareRuleFromJson, SquareRuleToJson, &Profile::squares>("coverage"),
-    Value<TargetsFromJson, TargetsToJson, &Profile::by_target_size>("by_target_size"),
+    Value<TransformFromJson, WriteTransform, &Profile::transform>("transform"),
+    Value<SquareRuleFromJson, WriteSquareRule, &Profile::squares>("coverage"),
+    Value<TargetsFromJson, WriteTargets, &Profile::by_target_size>("by_target_size"),
 });
 constexpr bool HasFormat(const ProfileKey& key) { return key.member.word == nullptr; }
 static_assert(std::ranges::equal(kProfileKeys | std::views::filter(HasFormat), kKeyFormats, {},
@@ -323,11 +327,10 @@ void ReadKey(const ProfileKey& key, const JsonValue& value, Profile& profile) {
   key.member.set_word(IndexOf(value, WordsOf(key)), profile);
 }
 
-// '"nan_z": "ignored"'
-std::string MemberToJson(const ProfileKey& key, const Profile& profile) {
-  return InQuotes(key.name) + ": " +
-         (HasFormat(key) ? FormatOf(key).write(profile)
-                         : InQuotes(WordsOf(key).at(key.member.word(profile))));
+void WriteMember(JsonWriter& json, const ProfileKey& key, const Profile& profile) {
+  json.Key(key.name);
+  if (HasFormat(key)) return FormatOf(key).write(json, profile);
+  json.Text(WordsOf(key).at(key.member.word(profile)));
 }
 
 bool IsUnusual(std::string_view key, const Profile& profile) {
@@ -346,14 +349,12 @@ bool IsWritten(const ProfileKey& key, const Profile& profile) {
   return key.name == "front_face" && !profile.specification.empty();
 }
 
-std::string KeysToJson(const Profile& profile, std::string_view between) {
-  std::string json;
+void WriteKeys(JsonWriter& json, const Profile& profile, const JsonLayout& layout) {
+  json.BeginObject(layout);
   for (const ProfileKey& key : kProfileKeys) {
-    if (!IsWritten(key, profile)) continue;
-    if (!json.empty()) json += between;
-    json += MemberToJson(key, profile);
+    if (IsWritten(key, profile)) WriteMember(json, key, profile);
   }
-  return json;
+  json.EndObject();
 }
 
 bool IsOfTarget(std::string_view name) { return std::ranges::count(kTargetKeys, name) != 0; }
@@ -398,24 +399,23 @@ std::vector<TargetModel> TargetsFromJson(const JsonValue& list, const Profile& p
   return models;
 }
 
-std::string TargetToJson(const TargetModel& target) {
+void WriteTarget(JsonWriter& json, const TargetModel& target) {
   Profile own;
   own.snap = target.snap;
   own.pattern = target.pattern;
   own.tie_rule = target.tie_rule;
-  std::string json = "{\"max_width\": " + std::to_string(target.max_width) +
-                     ", \"max_height\": " + std::to_string(target.max_height);
+  json.BeginObject().Key("max_width").Integer(target.max_width);
+  json.Key("max_height").Integer(target.max_height);
   // Written even where they are the default, or the profile's own would come back in their place.
   for (const ProfileKey& key : kProfileKeys)
-    if (IsOfTarget(key.name)) json += ", " + MemberToJson(key, own);
-  return json + "}";
+    if (IsOfTarget(key.name)) WriteMember(json, key, own);
+  json.EndObject();
 }
 
-std::string TargetsToJson(const std::vector<TargetModel>& models) {
-  std::string json;
-  for (const TargetModel& target : models)
-    json += (json.empty() ? "[" : ", ") + TargetToJson(target);
-  return json + "]";
+void WriteTargets(JsonWriter& json, const std::vector<TargetModel>& models) {
+  json.BeginArray(kOneLine);
+  for (const TargetModel& target : models) WriteTarget(json, target);
+  json.EndArray();
 }
 
 void RequireSound(const JsonValue& value, const Profile& profile) {
@@ -473,14 +473,22 @@ Profile ProfileFromJson(const JsonValue& value) {
 }
 
 std::string WholeProfileLine(const Profile& profile) {
-  return '{' + KeysToJson(profile, ", ") + '}';
+  JsonWriter json;
+  WriteKeys(json, profile, kOneLine);
+  return json.json();
+}
+
+void WriteProfile(JsonWriter& json, const Profile& profile) {
+  if (PresetProfile(profile.name) == profile) return WriteText(json, profile.name);
+  Profile named = profile;
+  named.name = ProfileName(profile);
+  WriteKeys(json, named, kLines);
 }
 
 std::string ProfileToJson(const Profile& profile) {
-  if (PresetProfile(profile.name) == profile) return JsonString(profile.name);
-  Profile named = profile;
-  named.name = ProfileName(profile);
-  return "{\n    " + KeysToJson(named, ",\n    ") + "\n  }";
+  JsonWriter json(1);
+  WriteProfile(json, profile);
+  return json.json();
 }
 
 }  // namespace rasterproof::io

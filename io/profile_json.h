@@ -8,6 +8,7 @@
 
 #include "core/profile.h"
 #include "io/json_document.h"
+#include "io/json_writer.h"
 
 namespace rasterproof::io {
 
@@ -17,6 +18,8 @@ namespace rasterproof::io {
 /// Error:      InputError with place, reason and remedy.
 Profile ProfileFromJson(const JsonValue& value);
 
+/// As ProfileToJson().
+void WriteProfile(JsonWriter& json, const Profile& profile);
 /// The profile on one line as an object, presets too: for readers that do not know them.
 std::string WholeProfileLine(const Profile& profile);
 

@@ -5,13 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "core/quoted.h"
 #include "io/json_document.h"
+#include "io/json_writer.h"
 #include "io/number_text.h"
 #include "io/output.h"
 #include "io/scene_json.h"
@@ -120,34 +120,14 @@ void ReadTriangles(const JsonValue& list, Scene& scene) {
 // -0 counts: it is a bit of the scene.
 bool HasZ(const Vertex& vertex) { return std::bit_cast<std::uint64_t>(vertex.z) != 0; }
 
-void AppendCoordinate(double value, std::string& json) {
-  json += '"';
-  json += ExactText(value);
-  json += '"';
-}
-
-void AppendVertex(const Vertex& vertex, bool clip_space, std::string& json) {
-  json += '[';
-  AppendCoordinate(vertex.x, json);
-  json += ", ";
-  AppendCoordinate(vertex.y, json);
-  if (clip_space || HasZ(vertex)) {
-    json += ", ";
-    AppendCoordinate(vertex.z, json);
-  }
-  if (clip_space) {
-    json += ", ";
-    AppendCoordinate(vertex.w, json);
-  }
-  json += ']';
+void WriteVertex(JsonWriter& json, const Vertex& vertex, bool clip_space) {
+  json.BeginArray(kOneLine).Exact(vertex.x).Exact(vertex.y);
+  if (clip_space || HasZ(vertex)) json.Exact(vertex.z);
+  if (clip_space) json.Exact(vertex.w);
+  json.EndArray();
 }
 
 }  // namespace
-
-std::string JsonString(std::string_view text) {
-  const bool to_ascii = ShownName(text) != text;  // a terminal obeys U+007F to U+009F, too
-  return nlohmann::json(text).dump(-1, ' ', to_ascii, nlohmann::json::error_handler_t::replace);
-}
 
 double CoordinateFromJson(const JsonValue& value, Precision precision) {
   if (value.kind() != JsonKind::kNumber && value.kind() != JsonKind::kString) {
@@ -175,29 +155,18 @@ Scene SceneFromJson(const JsonValue& object) {
   return scene;
 }
 
-void AppendSceneJson(const Scene& scene, std::string_view indent, std::string& json) {
-  const std::string line = ",\n" + std::string(indent) + "  ";
-  json += "{\n" + std::string(indent) + "  \"rasterproof_scene\": " + std::to_string(kSceneVersion);
-  json += line + "\"name\": " + JsonString(scene.name);
-  json += line + "\"width\": " + std::to_string(scene.width);
-  json += line + "\"height\": " + std::to_string(scene.height);
-  json += line + "\"precision\": ";
-  json += scene.precision == Precision::kFloat32 ? "\"float32\"" : "\"float64\"";
-  // One vertex or triangle a line; the first has no comma before it.
-  const std::string item = line + "  ";
-  json += line + "\"vertices\": [";
-  for (std::size_t k = 0; k < scene.vertices.size(); ++k) {
-    json += std::string_view(item).substr(k == 0 ? 1 : 0);
-    AppendVertex(scene.vertices[k], scene.clip_space, json);
+void WriteScene(JsonWriter& json, const Scene& scene) {
+  json.BeginObject().Key("rasterproof_scene").Integer(kSceneVersion);
+  json.Key("name").Text(scene.name);
+  json.Key("width").Integer(scene.width).Key("height").Integer(scene.height);
+  json.Key("precision").Text(scene.precision == Precision::kFloat32 ? "float32" : "float64");
+  json.Key("vertices").BeginArray(kEndOnLastLine);
+  for (const Vertex& vertex : scene.vertices) WriteVertex(json, vertex, scene.clip_space);
+  json.EndArray().Key("triangles").BeginArray(kEndOnLastLine);
+  for (const Triangle& t : scene.triangles) {
+    json.BeginArray(kOneLine).Integer(t[0]).Integer(t[1]).Integer(t[2]).EndArray();
   }
-  json += "]" + line + "\"triangles\": [";
-  for (std::size_t k = 0; k < scene.triangles.size(); ++k) {
-    const Triangle& t = scene.triangles[k];
-    json += std::string_view(item).substr(k == 0 ? 1 : 0);
-    json += "[" + std::to_string(t[0]) + ", " + std::to_string(t[1]) + ", " + std::to_string(t[2]) +
-            "]";
-  }
-  json += "]\n" + std::string(indent) + "}";
+  json.EndArray().EndObject();
 }
 
 Scene ParseScene(std::string_view text, const std::string& place) {
@@ -210,9 +179,9 @@ Scene ReadScene(const std::string& path) {
 }
 
 std::string SceneToJson(const Scene& scene) {
-  std::string json;
-  AppendSceneJson(scene, "", json);
-  return json + "\n";
+  JsonWriter json;
+  WriteScene(json, scene);
+  return json.Finish();
 }
 
 }  // namespace rasterproof::io

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "io/json_members.h"
-#include "io/number_text.h"
 #include "io/scene_json.h"
 
 namespace rasterproof::io {
@@ -59,15 +58,15 @@ std::optional<SquareRegion> RegionFromJson(const JsonValue& value) {
                     "write a half-open square, or an open or closed shape");
 }
 
-std::string RegionToJson(const std::optional<SquareRegion>& region) {
-  if (!region) return "null";
-  return "{\"relation\": " + InQuotes(NameOf(region->relation, Names<SquareRelation>(kRelations))) +
-         ", \"square\": " + InQuotes(NameOf(region->square, Names<Closure>(kClosures))) +
-         ", \"shape\": " + InQuotes(NameOf(region->shape, Names<Closure>(kClosures))) +
-         ", \"geometry\": " +
-         InQuotes(NameOf(region->geometry, Names<SquareGeometry>(kGeometries))) +
-         ", \"growth\": " + InQuotes(NameOf(region->growth, Names<SquareGrowth>(kGrowths))) +
-         ", \"half_width\": " + InQuotes(ExactText(region->half_width)) + "}";
+void WriteRegion(JsonWriter& json, const std::optional<SquareRegion>& region) {
+  if (!region) return static_cast<void>(json.Null());
+  json.BeginObject(kOneLine);
+  json.Key("relation").Text(NameOf(region->relation, Names<SquareRelation>(kRelations)));
+  json.Key("square").Text(NameOf(region->square, Names<Closure>(kClosures)));
+  json.Key("shape").Text(NameOf(region->shape, Names<Closure>(kClosures)));
+  json.Key("geometry").Text(NameOf(region->geometry, Names<SquareGeometry>(kGeometries)));
+  json.Key("growth").Text(NameOf(region->growth, Names<SquareGrowth>(kGrowths)));
+  json.Key("half_width").Exact(region->half_width).EndObject();
 }
 
 }  // namespace
@@ -84,9 +83,11 @@ SquareRule SquareRuleFromJson(const JsonValue& value) {
                     "give it a must or a may region, or leave coverage out");
 }
 
-std::string SquareRuleToJson(const SquareRule& rule) {
-  return "{\"must\": " + RegionToJson(rule.must) + ",\n      \"may\": " + RegionToJson(rule.may) +
-         ",\n      \"flat\": " + InQuotes(NameOf(rule.flat, Names<FlatSquares>(kFlats))) + "}";
+void WriteSquareRule(JsonWriter& json, const SquareRule& rule) {
+  json.BeginObject(kFromThisLine);
+  WriteRegion(json.Key("must"), rule.must);
+  WriteRegion(json.Key("may"), rule.may);
+  json.Key("flat").Text(NameOf(rule.flat, Names<FlatSquares>(kFlats))).EndObject();
 }
 
 }  // namespace rasterproof::io

@@ -6,13 +6,14 @@
 
 #include "core/square_rule.h"
 #include "io/json_document.h"
+#include "io/json_writer.h"
 
 namespace rasterproof::io {
 
 /// Error:      InputError with place, reason and remedy.
 SquareRule SquareRuleFromJson(const JsonValue& value);
 
-std::string SquareRuleToJson(const SquareRule& rule);
+void WriteSquareRule(JsonWriter& json, const SquareRule& rule);
 
 }  // namespace rasterproof::io
 

@@ -17,11 +17,12 @@
 #include "core/scene.h"
 #include "io/json_document.h"
 #include "io/json_members.h"
+#include "io/json_writer.h"
 #include "io/output.h"
+#include "io/scene_file.h"
 #include "io/scene_json.h"
 #include "report/bench_decision.h"
 #include "report/bench_members.h"
-#include "report/json_writer.h"
 #include "report/page_parts.h"
 
 namespace rasterproof::report {
@@ -47,7 +48,7 @@ constexpr bool kIsOnOneLine =
 // Visits the members of an object and writes them.
 class BenchWriter {
  public:
-  BenchWriter(JsonWriter& json, const BenchResult& result) : json_(json), result_(result) {}
+  BenchWriter(io::JsonWriter& json, const BenchResult& result) : json_(json), result_(result) {}
 
   template <class T>
   void operator()(std::string_view key, T&& value) {
@@ -107,14 +108,13 @@ class BenchWriter {
   void Write(TargetSide side) { json_.Integer(side.pixels); }
   void Write(BenchClock clock) { json_.Text(io::NameOf<BenchClock>(clock, kClocks)); }
   void Write(Scene& scene) {
-    std::string text;
-    io::AppendSceneJson(scene, "", text);
+    std::string text = io::SceneToJson(scene);
     std::erase(text, '\n');
     json_.Value(text);
   }
   void WriteDecision(std::uint32_t family, Need need);
 
-  JsonWriter& json_;
+  io::JsonWriter& json_;
   const BenchResult& result_;
 };
 
@@ -303,7 +303,7 @@ void RequireVersion(const JsonValue& root) {
 }  // namespace
 
 std::string BenchToJson(const BenchResult& result) {
-  JsonWriter json;
+  io::JsonWriter json;
   BenchResult visited = result;  // as readers set what they visit
   BenchWriter(json, result).Write(visited);
   std::string text = json.Finish();

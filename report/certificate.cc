@@ -8,13 +8,13 @@
 #include "core/grids_left.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "report/grounds.h"
-#include "report/json_writer.h"
 
 namespace rasterproof::report {
 namespace {
 
-void WriteSubject(JsonWriter& json, const Certificate& certificate) {
+void WriteSubject(io::JsonWriter& json, const Certificate& certificate) {
   const SubjectInfo& info = certificate.subject;
   json.Key("subject").BeginObject();
   json.Key("name").Text(info.name);
@@ -27,7 +27,7 @@ void WriteSubject(JsonWriter& json, const Certificate& certificate) {
   json.EndObject();
 }
 
-void WriteWitness(JsonWriter& json, const Witness& witness) {
+void WriteWitness(io::JsonWriter& json, const Witness& witness) {
   json.Key("witness").BeginObject();
   json.Key("triangle").Integer(witness.triangle);
   json.Key("edge").Integer(witness.edge);
@@ -39,7 +39,7 @@ void WriteWitness(JsonWriter& json, const Witness& witness) {
   json.EndObject();
 }
 
-void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
+void WriteCounterexample(io::JsonWriter& json, const Certificate& certificate,
                          const PropertyResult& result) {
   const Counterexample& found = *result.counterexample;
   json.Key("counterexample").BeginObject();
@@ -55,7 +55,7 @@ void WriteCounterexample(JsonWriter& json, const Certificate& certificate,
 }
 
 // What is left of the grids that the profile allows, by the kind of target.
-void WriteGrids(JsonWriter& json, const std::vector<GridsOnTarget>& list) {
+void WriteGrids(io::JsonWriter& json, const std::vector<GridsOnTarget>& list) {
   json.Key("grids_left").BeginArray();
   for (const GridsOnTarget& grids : list) {
     json.BeginObject();
@@ -70,7 +70,8 @@ void WriteGrids(JsonWriter& json, const std::vector<GridsOnTarget>& list) {
   json.EndArray();
 }
 
-void WriteTested(JsonWriter& json, const Certificate& certificate, const PropertyResult& result) {
+void WriteTested(io::JsonWriter& json, const Certificate& certificate,
+                 const PropertyResult& result) {
   json.BeginObject();
   json.Key("property").Text(result.property);
   if (!result.world.empty()) json.Key("world").Text(result.world);
@@ -101,7 +102,8 @@ void WriteTested(JsonWriter& json, const Certificate& certificate, const Propert
   json.EndObject();
 }
 
-void WriteMeasured(JsonWriter& json, const Certificate& certificate, const SceneResult& result) {
+void WriteMeasured(io::JsonWriter& json, const Certificate& certificate,
+                   const SceneResult& result) {
   const std::string why = WhyNotJudged(certificate, result);
   json.BeginObject();
   json.Key("scene").Text(result.scene);
@@ -130,7 +132,7 @@ std::string ReplayCommand(const Certificate& certificate, const PropertyResult& 
 }
 
 std::string CertificateToJson(const Certificate& certificate) {
-  JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_certificate").Integer(3);
   json.Key("tool_version").Text(certificate.tool_version);
@@ -167,7 +169,7 @@ std::string CertificateToJson(const Certificate& certificate) {
 }
 
 std::string TimesToJson(const Certificate& certificate) {
-  JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_certificate_times").Integer(1);
   json.Key("tested").BeginArray();

@@ -16,7 +16,7 @@
 #include "core/result.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
-#include "report/json_writer.h"
+#include "io/json_writer.h"
 
 namespace rasterproof::report {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "fmt/format.h"
-#include "report/json_writer.h"
+#include "io/json_writer.h"
 #include "report/page_parts.h"
 #include "report/proportion.h"
 #include "report/text.h"
@@ -45,7 +45,7 @@ std::string MatrixCell(const Cell& cell) {
   return fmt::format("<span class=\"{}\" title=\"{}\">{}</span>", colour, Escaped(title), text);
 }
 
-void AddCell(JsonWriter& json, const Cell& cell) {
+void AddCell(io::JsonWriter& json, const Cell& cell) {
   json.BeginObjectLine().Key("state").Text(StateWord(cell));
   json.Key("cases").Integer(cell.cases).Key("wrong").Integer(cell.wrong);
   json.Key("samples").Integer(cell.samples).Key("wrong_samples").Integer(cell.wrong_samples);
@@ -167,7 +167,7 @@ std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& 
 }
 
 std::string ComparisonToJson(const ComparisonTable& table) {
-  JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject().Key("rasterproof_catalogue").Integer(1);
   json.Key("seed").Integer(table.seed).Key("cases").Integer(table.cases);
   json.Key("families").BeginArray();

@@ -49,7 +49,7 @@ std::string NotAskedText(const std::vector<Evidence>& list) {
   return text;
 }
 
-void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list) {
+void WriteEvidence(io::JsonWriter& json, std::string_view key, const std::vector<Evidence>& list) {
   json.Key(key).BeginArray();
   for (const Evidence& evidence : list) {
     json.BeginObject();

@@ -8,8 +8,8 @@
 
 #include "core/profile.h"
 #include "core/result.h"
+#include "io/json_writer.h"
 #include "report/certificate.h"
-#include "report/json_writer.h"
 
 namespace rasterproof::report {
 
@@ -28,7 +28,7 @@ std::string AssumptionLines(const Profile& profile);
 std::string NotAskedText(const std::vector<Evidence>& list);
 
 /// Writes a member of an object: [{"statement": "vulkan.one-position", "by": "Triangles ..."}].
-void WriteEvidence(JsonWriter& json, std::string_view key, const std::vector<Evidence>& list);
+void WriteEvidence(io::JsonWriter& json, std::string_view key, const std::vector<Evidence>& list);
 
 }  // namespace rasterproof::report
 

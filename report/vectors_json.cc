@@ -9,20 +9,20 @@
 #include "core/sample_rows.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "io/json_writer.h"
 #include "io/profile_json.h"
-#include "report/json_writer.h"
 
 namespace rasterproof::report {
 namespace {
 
-void AddTexts(JsonWriter& json, std::string_view key, const std::vector<std::string>& texts) {
+void AddTexts(io::JsonWriter& json, std::string_view key, const std::vector<std::string>& texts) {
   json.Key(key).BeginArray();
   for (const std::string& text : texts) json.Text(text);
   json.EndArray();
 }
 
 template <class Numbers>
-void AddNumbers(JsonWriter& json, std::string_view key, const Numbers& numbers) {
+void AddNumbers(io::JsonWriter& json, std::string_view key, const Numbers& numbers) {
   json.Key(key).BeginArray();
   for (const auto number : numbers) json.Integer(number);
   json.EndArray();
@@ -31,7 +31,7 @@ void AddNumbers(JsonWriter& json, std::string_view key, const Numbers& numbers) 
 std::string_view AxisWord(YAxis axis) { return axis == YAxis::kUp ? "up" : "down"; }
 
 // [x, y] in units of 2^-8 pixels, which every sample location is on.
-void AddPattern(JsonWriter& json, const SamplePattern& pattern) {
+void AddPattern(io::JsonWriter& json, const SamplePattern& pattern) {
   json.Key("samples_256").BeginArray();
   for (const Point2& at : pattern.locations) {
     json.BeginArray().Integer(std::lround(at.x * 256)).Integer(std::lround(at.y * 256)).EndArray();
@@ -39,13 +39,13 @@ void AddPattern(JsonWriter& json, const SamplePattern& pattern) {
   json.EndArray();
 }
 
-void AddVertices(JsonWriter& json, const TestVector& vector) {
+void AddVertices(io::JsonWriter& json, const TestVector& vector) {
   json.Key("vertices").BeginArray();
   for (const Vertex& v : vector.scene.vertices) json.BeginArray().Exact(v.x).Exact(v.y).EndArray();
   json.EndArray();
   json.Key("fixed");
   if (!vector.on_lattice) {
-    json.Value("null");
+    json.Null();
     return;
   }
   json.BeginArray();
@@ -53,7 +53,7 @@ void AddVertices(JsonWriter& json, const TestVector& vector) {
   json.EndArray();
 }
 
-void AddTriangle(JsonWriter& json, const Triangle& corners, const TriangleVector& triangle,
+void AddTriangle(io::JsonWriter& json, const Triangle& corners, const TriangleVector& triangle,
                  std::size_t row_length) {
   json.BeginObject();
   AddNumbers(json, "vertices", corners);
@@ -71,7 +71,7 @@ std::string JointLine(const JointVector& joint, const TestVector& vector,
                       const VectorsHeader& header) {
   const auto samples = static_cast<std::size_t>(vector.pattern.samples());
   const std::size_t row_length = static_cast<std::size_t>(vector.scene.width) * samples;
-  JsonWriter json;
+  io::JsonWriter json;
   json.BeginObjectLine();
   json.Key("joint").Text(vector.name);
   json.Key("column").Integer(joint.sample % row_length / samples);
@@ -101,7 +101,7 @@ std::string JointText(const JointVector& joint) {
 }
 
 std::string VectorsHeaderLine(const VectorsHeader& header, std::string_view body) {
-  JsonWriter json;
+  io::JsonWriter json;
   json.BeginObjectLine();
   json.Key("rasterproof_vectors").Integer(kVectorsVersion);
   json.Key("program").Text(header.program);
@@ -113,17 +113,15 @@ std::string VectorsHeaderLine(const VectorsHeader& header, std::string_view body
   json.Key("cases").Integer(header.cases).Key("triangles").Integer(header.triangles);
   json.Key("joints").Integer(header.joint);
   json.Key("body_fnv1a64").Text(HashText(body));
-  std::string line = json.EndObject().Finish();
-  line.resize(line.rfind('}'));
-  const std::string hash = HashText(line);  // of all that comes before it
-  return line + ",\"" + std::string(kHeaderHashKey) + "\":\"" + hash + "\"}\n";
+  const std::string hash = HashText(json.json());  // of all that comes before it
+  return json.Key(kHeaderHashKey).Text(hash).EndObject().Finish();
 }
 
 std::string VectorLines(const TestVector& vector, const VectorsHeader& header) {
   const Scene& scene = vector.scene;
   const auto samples = static_cast<std::size_t>(vector.pattern.samples());
   const std::size_t row_length = static_cast<std::size_t>(scene.width) * samples;
-  JsonWriter json;
+  io::JsonWriter json;
   json.BeginObjectLine();
   json.Key("case").Text(vector.name);
   json.Key("width").Integer(scene.width).Key("height").Integer(scene.height);

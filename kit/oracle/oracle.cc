@@ -28,7 +28,7 @@
 #include "exact/edge.h"
 #include "exact/placed_scene.h"
 #include "io/case_file.h"
-#include "io/scene_json.h"
+#include "io/json_writer.h"
 #include "kit/rasterproof_oracle.h"
 #include "legal/allowed.h"
 #include "legal/alone.h"

@@ -23,15 +23,15 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/json_document.h"
+#include "io/json_writer.h"
 #include "io/number_text.h"
 #include "io/output.h"
-#include "report/json_writer.h"
 
 namespace rasterproof::tool {
 namespace {
 
 using io::JsonValue;
-using report::JsonWriter;
+using io::JsonWriter;
 
 constexpr int kPartVersion = 6;
 

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "report/grounds.h"
-#include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/check/causes.h"
 #include "tool/failure.h"
@@ -13,7 +13,7 @@
 namespace rasterproof::tool {
 namespace {
 
-using report::JsonWriter;
+using io::JsonWriter;
 
 void AddPlace(JsonWriter& json, const Witness& witness) {
   if (witness.triangle >= 0) json.Key("triangle").Integer(witness.triangle);
@@ -42,7 +42,7 @@ void AddFailure(JsonWriter& json, const Findings& found, std::size_t k) {
   if (const props::Cause* cause = CauseOf(found, k)) {
     json.Key("cause").Text(NameOfCause(*cause));
   } else {
-    json.Key("cause").Value("null");
+    json.Key("cause").Null();
   }
   json.Key("message").Text(report::CleanText(failure.verdict.message));
   AddPlace(json, witness);

@@ -22,6 +22,7 @@
 #include "core/result.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/cause/cause.h"
@@ -36,7 +37,6 @@
 #include "props/run/property_domains.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
-#include "report/json_writer.h"
 #include "tool/certify/evidence.h"
 #include "tool/check/causes.h"
 #include "tool/check/check_json.h"
@@ -132,7 +132,7 @@ std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, cons
 // A case and its outcome, as a line of JSON.
 std::string CaseLine(const SubjectInfo& subject, const props::Property& property, const Case& c,
                      const Verdict& verdict) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObjectLine();
   json.Key("subject").Text(subject.name).Key("property").Text(property.name);
   json.Key("case").Text(c.origin).Key("triangles").Integer(c.scene.triangles.size());

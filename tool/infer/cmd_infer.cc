@@ -4,10 +4,10 @@
 
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
-#include "report/json_writer.h"
 #include "tool/commands.h"
 #include "tool/infer/infer_text.h"
 #include "tool/interrupt.h"
@@ -112,7 +112,7 @@ std::string CaseText(const std::string& what, const Case& c, const std::string& 
 }
 
 std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_inference").Integer(2);
   json.Key("subject").Text(info.name);

@@ -14,12 +14,12 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/image.h"
+#include "io/json_writer.h"
 #include "io/netpbm.h"
 #include "io/output.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
 #include "report/case_code.h"
-#include "report/json_writer.h"
 #include "report/palette.h"
 #include "report/picture.h"
 #include "tool/commands.h"
@@ -49,7 +49,7 @@ std::string Range(int least, int most) {
 }
 
 // A list of each triangle's samples as runs, which ends where it would grow beyond reading.
-void AddTriangles(const legal::Decided& decided, report::JsonWriter& json) {
+void AddTriangles(const legal::Decided& decided, io::JsonWriter& json) {
   constexpr std::size_t kMostRuns = 1'000'000;
   std::size_t runs = 0;
   const auto add_runs = [&](const char* key, const std::vector<std::size_t>& samples) {
@@ -78,7 +78,7 @@ void AddTriangles(const legal::Decided& decided, report::JsonWriter& json) {
 }
 
 std::string ToJson(const legal::Decided& decided, const Profile& profile) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   const auto samples = static_cast<std::size_t>(decided.samples);
   const auto width = static_cast<std::size_t>(decided.width);
   const auto place = [&](std::size_t s) {

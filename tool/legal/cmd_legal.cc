@@ -17,12 +17,12 @@
 #include "core/tie_rule.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
 #include "props/judging/witness.h"
 #include "report/grounds.h"
-#include "report/json_writer.h"
 #include "tool/commands.h"
 #include "tool/legal/broken_rules.h"
 #include "tool/legal/legal_hints.h"
@@ -56,11 +56,11 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
   return text;
 }
 
-void WriteRange(report::JsonWriter& json, std::string_view key, legal::CountRange range) {
+void WriteRange(io::JsonWriter& json, std::string_view key, legal::CountRange range) {
   json.Key(key).BeginArray().Integer(range.least).Integer(range.most).EndArray();
 }
 
-void WriteRequirement(report::JsonWriter& json, const legal::Requirement& seen) {
+void WriteRequirement(io::JsonWriter& json, const legal::Requirement& seen) {
   json.BeginObject();
   json.Key("index").Integer(seen.sample);
   json.Key("x").Exact(seen.at.x);
@@ -91,7 +91,7 @@ void WriteRequirement(report::JsonWriter& json, const legal::Requirement& seen) 
 }
 
 // As `check --json` has them; what no clause requires is the stated model's.
-void WriteRules(report::JsonWriter& json, const std::vector<BrokenRule>& rules,
+void WriteRules(io::JsonWriter& json, const std::vector<BrokenRule>& rules,
                 const Profile& profile) {
   json.Key("why").Text(BrokenRuleText(rules, profile));
   json.Key("required_by").BeginArrayLine();
@@ -103,7 +103,7 @@ std::string ToJson(const Judgement& judgement, std::optional<std::uint64_t> open
                    const Profile& profile, const LegalOptions& options,
                    const std::vector<std::string>& hints, const std::string& again) {
   const legal::JointVerdict& verdict = judgement.verdict;
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_legal").Integer(1);
   json.Key("verdict").Text(LegalityName(verdict.legality));

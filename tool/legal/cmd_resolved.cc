@@ -9,10 +9,10 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/counts_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "legal/decided.h"
 #include "report/grounds.h"
-#include "report/json_writer.h"
 #include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/legal/legality.h"
@@ -87,7 +87,7 @@ std::string TextOf(const Found& found, const std::vector<PixelRange>& ranges,
 std::string JsonOf(const Found& found, const std::vector<PixelRange>& ranges,
                    const std::vector<std::uint32_t>& seen, const legal::Decided& decided,
                    const Profile& profile) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_resolved").Integer(1);
   json.Key("verdict").Text(LegalityName(found.Verdict()));

@@ -10,8 +10,8 @@
 #include "core/error.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "io/json_writer.h"
 #include "props/property.h"
-#include "report/json_writer.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -39,7 +39,7 @@ std::string LinesOf(const Clause& clause) {
   return text;
 }
 
-void WriteClause(report::JsonWriter& json, const Clause& clause) {
+void WriteClause(io::JsonWriter& json, const Clause& clause) {
   json.BeginObject();
   json.Key("id").Text(clause.id);
   json.Key("place").Text(clause.place);
@@ -93,7 +93,7 @@ std::string ListClauses(std::string_view prefix) {
 }
 
 std::string ClausesToJson(std::string_view prefix) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginArray();
   for (const Specification& one : SpecificationsWith(prefix)) {
     json.BeginObject();

@@ -11,8 +11,8 @@
 #include "core/quoted.h"
 #include "fmt/format.h"
 #include "io/json_document.h"
+#include "io/json_writer.h"
 #include "io/output.h"
-#include "report/json_writer.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::tool {
@@ -146,7 +146,7 @@ void Rounds::ReadState() {
 }
 
 void Rounds::WriteState() const {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject();
   json.Key("rasterproof_rounds").Integer(kRoundsVersion);
   json.Key("program").Text(RASTERPROOF_VERSION);

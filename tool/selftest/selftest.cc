@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "fmt/format.h"
+#include "io/json_writer.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "report/json_writer.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -162,7 +162,7 @@ std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t c
 }
 
 std::string SelftestJson(const std::vector<HuntResult>& results) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject().Key("rasterproof_selftest").Integer(1).Key("results").BeginArray();
   for (const HuntResult& result : results) {
     json.BeginObject().Key("name").Text(result.mutant.name);

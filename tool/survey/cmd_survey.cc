@@ -10,11 +10,11 @@
 #include "core/subject_info.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "props/compare/survey.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
-#include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/commands.h"
 #include "tool/file_names.h"
@@ -73,7 +73,7 @@ std::string CaseJson(const Finding& finding, const std::string& subject) {
 
 std::string_view NameOf(Fault fault) { return props::kFaultNames[static_cast<std::size_t>(fault)]; }
 
-void AddDomain(report::JsonWriter& json, const DomainSurvey& survey, bool near_limits,
+void AddDomain(io::JsonWriter& json, const DomainSurvey& survey, bool near_limits,
                const std::string& subject) {
   json.BeginObject().Key("domain").Text(survey.domain);
   json.Key("near_limits").Bool(near_limits);
@@ -105,7 +105,7 @@ void AddDomain(report::JsonWriter& json, const DomainSurvey& survey, bool near_l
 
 std::string SurveyJson(const SubjectInfo& info, const SurveyModel& model, std::uint64_t seed,
                        const std::vector<DomainSurvey>& surveys) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject().Key("rasterproof_survey").Integer(4);
   json.Key("subject").Text(info.name);
   json.Key("summary").Text(info.summary);

@@ -15,8 +15,8 @@
 
 #include "core/call_end.h"
 #include "fmt/format.h"
+#include "io/json_writer.h"
 #include "io/output.h"
-#include "report/json_writer.h"
 #include "report/text.h"
 #include "tool/commands.h"
 #include "tool/interrupt.h"
@@ -289,7 +289,7 @@ std::string DifferencesText(const Sweep& sweep) {
   return text;
 }
 
-void AddRow(report::JsonWriter& json, const SweepRunner& runner, const SweepRow& row) {
+void AddRow(io::JsonWriter& json, const SweepRunner& runner, const SweepRow& row) {
   json.BeginObject().Key("build").Text(BuildName(row.build.choices));
   json.Key("compiler").Text(ToolchainOf(row.build.choices).c);
   json.Key("changes").Text(ChoicesText(row.build.choices));
@@ -303,7 +303,7 @@ void AddRow(report::JsonWriter& json, const SweepRunner& runner, const SweepRow&
   json.Key("note").Text(row.Note()).EndObject();
 }
 
-void AddGroup(report::JsonWriter& json, std::size_t group, const Cell& distance) {
+void AddGroup(io::JsonWriter& json, std::size_t group, const Cell& distance) {
   json.BeginObject().Key("name").Text(GroupName(group));
   json.Key("samples").Integer(distance.samples).Key("cases").Integer(distance.cases);
   json.Key("samples_away").Integer(distance.wrong_samples);
@@ -313,7 +313,7 @@ void AddGroup(report::JsonWriter& json, std::size_t group, const Cell& distance)
 }
 
 std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptions& options) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject().Key("sources").BeginArray();
   for (const std::string& source : options.sources) json.Text(source);
   json.EndArray().Key("cflags").Text(options.cflags);

@@ -20,8 +20,8 @@
 #include "exact/edge_widths.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
-#include "report/json_writer.h"
 #include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/session.h"
@@ -137,14 +137,14 @@ std::string ToTable(const exact::EdgeUnit& unit, const std::vector<exact::EdgeWi
   return text;
 }
 
-void WritePoint(report::JsonWriter& json, std::string_view key, const exact::EdgeUnit& unit,
+void WritePoint(io::JsonWriter& json, std::string_view key, const exact::EdgeUnit& unit,
                 std::int64_t x, std::int64_t y) {
   json.Key(key).BeginArrayLine();
   json.Shortest(PixelsOf(unit, x)).Shortest(PixelsOf(unit, y)).EndArray();
 }
 
 std::string ToJson(const exact::EdgeUnit& unit, const std::vector<exact::EdgeWidth>& widths) {
-  report::JsonWriter json;
+  io::JsonWriter json;
   json.BeginObject().Key("rasterproof_widths").Integer(1);
   json.Key("fixed").BeginObjectLine();
   json.Key("integer_bits").Integer(unit.input.integer_bits);

@@ -261,4 +261,12 @@ void RequireFileCanBe(const std::string& path) {
   if (::access(name.c_str(), W_OK | X_OK) != 0) throw CannotWrite(path, errno);
 }
 
+void WriteOutput(const std::string& path, std::string_view content) {
+  if (path == "-") {
+    WriteStandardOutput(content);
+  } else {
+    WriteFile(path, content);
+  }
+}
+
 }  // namespace rasterproof::io

@@ -20,6 +20,9 @@ void WriteFile(const std::string& path, std::string_view content);
 /// nobody reads any more is no error: the rest of what it was to get is dropped.
 void WriteStandardOutput(std::string_view content);
 
+/// Writes to the file, or to standard output if the path is "-".
+void WriteOutput(const std::string& path, std::string_view content);
+
 /// Creates the folder and its parents; InputError if that fails.
 void MakeFolder(const std::string& path);
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "tool/commands.h"
-
 namespace rasterproof::tool {
 
 int StatusOf(Outcome outcome) {

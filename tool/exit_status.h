@@ -6,6 +6,13 @@
 
 namespace rasterproof::tool {
 
+/// Exit statuses.
+inline constexpr int kExitHolds = 0;
+inline constexpr int kExitViolated = 1;
+inline constexpr int kExitUsage = 2;
+inline constexpr int kExitFault = 3;
+inline constexpr int kExitInconclusive = 4;
+
 /// The status of one verdict: kExitHolds, kExitViolated, and kExitInconclusive for all that is
 /// neither.
 int StatusOf(Outcome outcome);

@@ -16,8 +16,8 @@
 #include "subjects/process/process.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/serve.h"
-#include "tool/commands.h"
 #include "tool/description.h"
+#include "tool/exit_status.h"
 #include "tool/other_threads.h"
 
 namespace rasterproof::tool {

@@ -4,7 +4,6 @@
 #define RASTERPROOF_TOOL_RESOLVE_H_
 
 #include <cstddef>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,8 +18,6 @@
 #include "props/domains/case_name.h"
 #include "props/domains/worlds.h"
 #include "props/property.h"
-#include "tool/commands.h"
-#include "tool/known_failures.h"
 #include "tool/outside.h"
 
 namespace rasterproof::tool {
@@ -95,20 +92,6 @@ struct GivenCase {
   std::optional<CaseName> name;
   bool states_profile = false;  ///< its file says by what model it was judged
 };
-
-/// What `check` was asked.
-struct ResolvedCheck {
-  std::vector<SubjectFactory> subjects;
-  std::vector<const props::Property*> properties;
-  bool is_whole_catalogue = false;
-  std::vector<GivenCase> cases;  ///< none: generated ones
-  /// Failures that were saved, by the property that each is about: asked before generated cases.
-  std::multimap<std::string, GivenCase> saved;
-  std::vector<KnownFailure> known;  ///< failures that fail nothing
-};
-
-/// Error:      InputError with the place and the remedy, for the first thing that is not there.
-ResolvedCheck ResolveCheck(const CheckOptions& options);
 
 /// The given case as it is put to the subject: judged by the subject's profile.
 ///

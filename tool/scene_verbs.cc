@@ -7,10 +7,16 @@
 #include <vector>
 
 #include "core/scene.h"
-#include "tool/commands.h"
+#include "tool/coverage/cmd_coverage.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/outside.h"
+#include "tool/pipe/cmd_pipe.h"
+#include "tool/plan/cmd_plan.h"
+#include "tool/scene_source.h"
 #include "tool/typed_number.h"
+#include "tool/vectors/cmd_vectors.h"
 #include "tool/verb_options.h"
+#include "tool/widths/cmd_widths.h"
 
 namespace rasterproof::tool {
 

@@ -28,6 +28,7 @@
 #include "props/run/property_domains.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
+#include "tool/case_choice.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/resolve.h"
@@ -61,46 +62,6 @@ void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::s
 }
 
 }  // namespace
-
-void RequireHonestEnvironment() {
-  const exact::Environment environment = exact::InspectEnvironment();
-  if (environment.Honest()) return;
-  throw InputError("floating-point environment", environment.Complaint(),
-                   "mend it and run again (rasterproof doctor shows it); no verdict is given here");
-}
-
-bool IsMeshPath(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  if (dot == std::string::npos) return false;
-  std::string ending = path.substr(dot + 1);
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  constexpr std::array<std::string_view, 6> kMeshEndings{"obj", "ply", "off", "stl", "gltf", "glb"};
-  return std::ranges::find(kMeshEndings, ending) != kMeshEndings.end();
-}
-
-Scene LoadScene(const SceneOptions& options) {
-  if (!IsMeshPath(options.path)) {
-    if (!options.camera.empty()) {
-      throw InputError("--camera",
-                       options.path + " is a scene file, and a scene file takes no camera",
-                       "leave the option out, or give a mesh (obj, ply, off, stl, gltf, glb)");
-    }
-    return io::ReadScene(Located(options.path));
-  }
-  RequireTargetSize(fmt::format("--width {} --height {}", options.width, options.height),
-                    options.width, options.height, 1);
-  const io::Mesh mesh = io::ReadMesh(options.path);
-  const std::string text = options.camera.empty() ? "front" : options.camera;
-  const io::Camera camera = io::ParseCamera(text, mesh);
-  const auto project = [&](io::ProjectTo to) {
-    return io::ProjectMesh(mesh, camera, options.width, options.height, to);
-  };
-  if (options.project == "window") return project(io::ProjectTo::kWindow);
-  Scene clip = project(io::ProjectTo::kClip);
-  if (options.project == "clip") return clip;
-  const bool in_front = std::ranges::all_of(clip.vertices, [](const Vertex& v) { return v.w > 0; });
-  return in_front ? project(io::ProjectTo::kWindow) : clip;
-}
 
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options) {
   const int samples = subject.Info().profile.pattern.samples();
@@ -314,14 +275,6 @@ LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
   stated.property = property;
   loaded.replay = CommandFor(verb, stated);
   return loaded;
-}
-
-void WriteOutput(const std::string& path, std::string_view content) {
-  if (path == "-") {
-    io::WriteStandardOutput(content);
-  } else {
-    io::WriteFile(path, content);
-  }
 }
 
 props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions options,

@@ -17,19 +17,10 @@
 #include "props/domains/case_name.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "tool/commands.h"
+#include "tool/case_choice.h"
 #include "tool/outside.h"
 
 namespace rasterproof::tool {
-
-/// Throws InputError if the floating-point environment would make the oracle lie.
-void RequireHonestEnvironment();
-
-/// Whether LoadScene takes the file for a mesh: by its ending.
-bool IsMeshPath(const std::string& path);
-
-/// Reads a scene file or projects a mesh, by the file's ending.
-Scene LoadScene(const SceneOptions& options);
 
 /// A saved or generated case with the subject and the property it is about.
 struct LoadedCase {
@@ -80,9 +71,6 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
 ///             that is judged by the profile. Rasterproof's own draw what they draw, whatever
 ///             profile they are judged by.
 void RequireDrawsSamples(const Subject& subject, const Profile& profile, const std::string& place);
-
-/// Writes to the file, or to standard output if the path is "-".
-void WriteOutput(const std::string& path, std::string_view content);
 
 /// The options, with what a campaign on the subject takes from the command: an interrupt ends it;
 /// one outside is stopped at its time limit, and made again by `make`.

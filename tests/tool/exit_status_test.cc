@@ -5,8 +5,6 @@
 #include <array>
 #include <cstddef>
 
-#include "tool/commands.h"
-
 namespace rasterproof::tool {
 namespace {
 

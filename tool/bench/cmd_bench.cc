@@ -1,4 +1,6 @@
 // rasterproof bench: error against run time, every method from the same inputs in one run.
+#include "tool/bench/cmd_bench.h"
+
 #include <unistd.h>
 
 #include <algorithm>
@@ -39,11 +41,12 @@
 #include "subjects/plugin/plugin.h"
 #include "tool/bench/fingerprints.h"
 #include "tool/bench/limits.h"
-#include "tool/commands.h"
 #include "tool/commit.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
-#include "tool/session.h"
+#include "tool/scene_source.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {

@@ -7,7 +7,7 @@
 
 #include "bench/contender.h"
 #include "core/bench_result.h"
-#include "tool/commands.h"
+#include "tool/bench/cmd_bench.h"
 
 namespace rasterproof::tool {
 

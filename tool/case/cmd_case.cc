@@ -1,4 +1,6 @@
 // rasterproof replay, explain and convert: one case, saved or generated.
+#include "tool/case/cmd_case.h"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -29,10 +31,11 @@
 #include "report/text.h"
 #include "tool/case/replay.h"
 #include "tool/certify/certify.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/interrupt.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legality.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
@@ -153,8 +156,8 @@ Verdict Shrink(const ReplayOptions& options, LoadedCase& loaded) {
   again.is_fuzz_input = false;
   again.subject = loaded.subject->Info().name;
   again.property = PropertyName(loaded);
-  WriteOutput(options.shrink,
-              io::CaseToJson({shrunk.value, again.subject, again.property, shrunk.verdict.drawn}));
+  io::WriteOutput(options.shrink, io::CaseToJson({shrunk.value, again.subject, again.property,
+                                                  shrunk.verdict.drawn}));
   progress.Say(fmt::format("{} triangles in {}x{}, after {} evaluations (from {} in {}x{}); {}",
                            scene.triangles.size(), scene.width, scene.height, shrunk.evaluations,
                            given.triangles.size(), given.width, given.height, shrunk.message));
@@ -343,7 +346,8 @@ int RunConvert(const ConvertOptions& options) {
   const LoadedCase loaded = LoadCase(options.choice, "convert");
   const SubjectInfo& info = loaded.subject->Info();
   if (options.to == "case") {
-    WriteOutput(options.output, io::CaseToJson({loaded.value, info.name, PropertyName(loaded)}));
+    io::WriteOutput(options.output,
+                    io::CaseToJson({loaded.value, info.name, PropertyName(loaded)}));
     return kExitHolds;
   }
   RequireTakes(*loaded.subject, loaded.value.scene, options.choice.path);
@@ -358,7 +362,7 @@ int RunConvert(const ConvertOptions& options) {
                      "leave out options that the subject does not take, and give at most 65536 "
                      "vertices and triangles");
   }
-  WriteOutput(options.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  io::WriteOutput(options.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   return kExitHolds;
 }
 

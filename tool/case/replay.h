@@ -7,7 +7,7 @@
 #include "core/subject.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
-#include "tool/commands.h"
+#include "tool/case/cmd_case.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

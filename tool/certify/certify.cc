@@ -26,6 +26,7 @@
 #include "props/run/contract_evidence.h"
 #include "props/run/not_asked.h"
 #include "subjects/process/process.h"
+#include "tool/certify/cmd_certify.h"
 #include "tool/certify/evidence.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"

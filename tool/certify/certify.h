@@ -25,9 +25,9 @@
 #include "props/run/campaign.h"
 #include "report/certificate.h"
 #include "report/page.h"
+#include "tool/certify/cmd_certify.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
-#include "tool/commands.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
 

@@ -19,7 +19,6 @@
 #include "tool/failure.h"
 #include "tool/file_names.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -27,6 +27,7 @@
 #include "tool/interrupt.h"
 #include "tool/legal/legality.h"
 #include "tool/outside.h"
+#include "tool/scene_source.h"
 #include "tool/session.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"

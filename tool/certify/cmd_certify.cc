@@ -1,4 +1,6 @@
 // rasterproof certify: everything that is known of a subject, as a certificate and a page.
+#include "tool/certify/cmd_certify.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -27,15 +29,14 @@
 #include "tool/certify/certify.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
-#include "tool/commands.h"
 #include "tool/compare/comparison.h"
+#include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 #include "tool/shell.h"
 #include "tool/workers.h"
 

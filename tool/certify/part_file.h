@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/result.h"
+#include "tool/certify/cmd_certify.h"
 #include "tool/certify/shard.h"
-#include "tool/commands.h"
 
 namespace rasterproof::tool {
 

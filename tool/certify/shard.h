@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "tool/commands.h"
+#include "tool/certify/cmd_certify.h"
 
 namespace rasterproof::tool {
 

@@ -7,6 +7,7 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "props/run/property_domains.h"
+#include "tool/check/findings.h"
 
 namespace rasterproof::tool {
 namespace {

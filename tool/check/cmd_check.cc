@@ -1,4 +1,6 @@
 // rasterproof check: the properties, on generated cases, given scenes or cases by their names.
+#include "tool/check/cmd_check.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -37,11 +39,13 @@
 #include "props/run/property_domains.h"
 #include "report/certificate.h"
 #include "report/grounds.h"
+#include "tool/case_choice.h"
 #include "tool/certify/evidence.h"
 #include "tool/check/causes.h"
 #include "tool/check/check_json.h"
 #include "tool/check/findings.h"
-#include "tool/commands.h"
+#include "tool/check/resolve_check.h"
+#include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
@@ -440,7 +444,7 @@ int RunCheck(const CheckOptions& options) {
   }
   if (!options.cases_json.empty()) io::WriteFile(options.cases_json, cases);
   if (Interrupted()) status = WorseStatus(status, kExitInconclusive);
-  if (!options.json.empty()) WriteOutput(options.json, CheckJson(all, status));
+  if (!options.json.empty()) io::WriteOutput(options.json, CheckJson(all, status));
   if (!Interrupted()) return status;
   if (options.json != "-") io::WriteStandardOutput("interrupted: this is what was found so far\n");
   return WorseStatus(status, kExitInconclusive);

@@ -8,7 +8,7 @@
 #include "props/run/conclude.h"
 #include "report/grounds.h"
 #include "report/text.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -1,4 +1,6 @@
 // rasterproof climb: the case in which a result is as wrong as a search can make it.
+#include "tool/climb/cmd_climb.h"
+
 #include <optional>
 #include <string>
 
@@ -12,13 +14,12 @@
 #include "io/output.h"
 #include "props/climb/climb.h"
 #include "report/text.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {
@@ -59,8 +60,8 @@ int RunClimb(const ClimbOptions& options) {
     return kExitInconclusive;
   }
   if (!options.output.empty()) {
-    WriteOutput(options.output,
-                io::CaseToJson({*found.best, options.subject, std::string(property.name)}));
+    io::WriteOutput(options.output,
+                    io::CaseToJson({*found.best, options.subject, std::string(property.name)}));
   }
   const bool is_violated = found.verdict.outcome == Outcome::kViolated;
   if (options.output == "-") return is_violated ? kExitViolated : kExitHolds;

@@ -1,5 +1,7 @@
 // rasterproof compare: cases by yardsticks. Rows are the families of stiff cases, scenes, or
 // floating-point modes.
+#include "tool/compare/cmd_compare.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <memory>
@@ -19,15 +21,15 @@
 #include "props/compare/yardsticks.h"
 #include "props/run/description.h"
 #include "report/comparison.h"
-#include "tool/commands.h"
 #include "tool/compare/comparison.h"
 #include "tool/compare/float_modes.h"
+#include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
+#include "tool/scene_source.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -174,7 +176,7 @@ int RunCompare(const CompareOptions& options) {
     if (!options.save.empty()) SaveWorst(options.save, table, columns);
     status = WorseStatus(status, StatusOf(table.subjects.back(), columns));
   }
-  if (!options.json.empty()) WriteOutput(options.json, report::ComparisonToJson(table));
+  if (!options.json.empty()) io::WriteOutput(options.json, report::ComparisonToJson(table));
   return Interrupted() ? WorseStatus(status, kExitInconclusive) : status;
 }
 

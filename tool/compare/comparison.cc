@@ -15,7 +15,6 @@
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
-#include "tool/session.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {

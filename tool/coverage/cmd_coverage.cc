@@ -1,5 +1,7 @@
 // rasterproof coverage: what a subject covers, as rows of counts or a picture, or where it differs
 // from another.
+#include "tool/coverage/cmd_coverage.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -16,12 +18,14 @@
 #include "io/case_file.h"
 #include "io/image.h"
 #include "io/netpbm.h"
+#include "io/output.h"
 #include "model/snap_scene.h"
 #include "model/target_profile.h"
 #include "reference/method.h"
 #include "reference/rasterize.h"
 #include "report/picture.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
 
@@ -125,10 +129,11 @@ int RunAgainst(const CoverageOptions& options) {
   const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
   const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
   if (!options.png.empty()) {
-    WriteOutput(options.png,
-                io::EncodeFor(options.png, report::PaintDifference(observed, expected)));
+    io::WriteOutput(options.png,
+                    io::EncodeFor(options.png, report::PaintDifference(observed, expected)));
   }
-  if (options.png != "-") WriteOutput(options.output, DifferenceText(observed, expected, options));
+  if (options.png != "-")
+    io::WriteOutput(options.output, DifferenceText(observed, expected, options));
   return Compare(observed, expected).wrong == 0 ? kExitHolds : kExitViolated;
 }
 
@@ -158,7 +163,7 @@ int RunCoverage(const CoverageOptions& options) {
   if (!options.against.empty()) return RunAgainst(options);
   Scene scene = LoadScene(options.scene);
   if (IsShaded(options)) {
-    WriteOutput(options.png, io::EncodeFor(options.png, Shaded(options, scene)));
+    io::WriteOutput(options.png, io::EncodeFor(options.png, Shaded(options, scene)));
     return kExitHolds;
   }
   const std::string name = SubjectName(options);
@@ -168,11 +173,11 @@ int RunCoverage(const CoverageOptions& options) {
   RequireTakes(*subject, scene, options.scene.path);
   const CoverageCounts counts = Draw(*subject, scene);
   if (options.png.empty()) {
-    WriteOutput(options.output, CountsToText(counts));
+    io::WriteOutput(options.output, CountsToText(counts));
   } else if (options.png.ends_with(".pgm")) {
-    WriteOutput(options.png, CountsToPgm(counts, options.png));
+    io::WriteOutput(options.png, CountsToPgm(counts, options.png));
   } else {
-    WriteOutput(options.png, io::EncodeFor(options.png, report::PaintCounts(counts)));
+    io::WriteOutput(options.png, io::EncodeFor(options.png, report::PaintCounts(counts)));
   }
   return kExitHolds;
 }

@@ -1,11 +1,13 @@
 // rasterproof doctor: whether this machine and this build can be trusted to judge.
+#include "tool/doctor/cmd_doctor.h"
+
 #include <string>
 
 #include "exact/edge.h"
 #include "exact/environment.h"
 #include "fmt/format.h"
 #include "io/output.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/sweep/sweep_builds.h"
 
 namespace rasterproof::tool {

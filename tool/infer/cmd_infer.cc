@@ -1,4 +1,6 @@
 // rasterproof infer: which model a subject follows, found by experiment.
+#include "tool/infer/cmd_infer.h"
+
 #include <memory>
 #include <string>
 
@@ -8,7 +10,8 @@
 #include "io/output.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/infer/infer_text.h"
 #include "tool/interrupt.h"
 #include "tool/resolve.h"
@@ -188,7 +191,7 @@ int TellInference(const props::Inference& inference, const SubjectInfo& info,
         CaseText("a case that the stated profile draws in another way:", *inference.against_stated,
                  info.name);
   }
-  if (!json.empty()) WriteOutput(json, ToJson(inference, info));
+  if (!json.empty()) io::WriteOutput(json, ToJson(inference, info));
   if (json != "-") io::WriteStandardOutput(text);
   if (inference.Fits()) return inference.Agrees() ? kExitHolds : kExitViolated;
   if (inference.is_inconclusive) return kExitInconclusive;

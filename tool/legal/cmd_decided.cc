@@ -22,10 +22,11 @@
 #include "report/case_code.h"
 #include "report/palette.h"
 #include "report/picture.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legal_hints.h"
 #include "tool/progress.h"
-#include "tool/session.h"
+#include "tool/scene_source.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -204,7 +205,7 @@ int TellDecided(const LegalOptions& options) {
     throw InputError("--profile " + options.profile, *why, RemedyOf(*why));
   }
   const legal::Decided decided = legal::DecidedSamples(scene, {profile, scene});
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(decided, profile));
+  if (!options.json.empty()) io::WriteOutput(options.json, ToJson(decided, profile));
   if (!options.png.empty())
     io::WriteFile(options.png,
                   io::EncodeFor(options.png, Picture(decided, scene, profile, options)));

@@ -2,6 +2,8 @@
 //
 // How many samples are open is counted only of a drawing that is not legal: one family of models
 // explains a legal one, while the count looks at all of them.
+#include "tool/legal/cmd_legal.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -23,13 +25,13 @@
 #include "legal/joint.h"
 #include "props/judging/witness.h"
 #include "report/grounds.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/legal/broken_rules.h"
 #include "tool/legal/legal_hints.h"
 #include "tool/legal/legality.h"
 #include "tool/legal/saved_core.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -200,7 +202,7 @@ int RunLegal(const LegalOptions& options) {
   if (!options.save.empty() && verdict.core)
     again = SaveCore(options, judged, drawn, *verdict.core, subject.get());
   if (!options.json.empty())
-    WriteOutput(options.json, ToJson(judgement, open, profile, options, hints, again));
+    io::WriteOutput(options.json, ToJson(judgement, open, profile, options, hints, again));
   if (options.json != "-") {
     io::WriteStandardOutput(Text(judgement, open, judged, hints) +
                             report::AssumptionLines(profile) + AssumedErrorLine(options) +

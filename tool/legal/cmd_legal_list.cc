@@ -21,16 +21,15 @@
 #include "report/grounds.h"
 #include "report/junit_suite.h"
 #include "report/text.h"
-#include "tool/commands.h"
 #include "tool/exit_status.h"
 #include "tool/interrupt.h"
 #include "tool/known_failures.h"
 #include "tool/legal/broken_rules.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legal_hints.h"
 #include "tool/legal/legal_list.h"
 #include "tool/legal/legality.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -249,7 +248,7 @@ int JudgeList(const LegalOptions& options) {
     if (options.junit != "-")
       io::WriteStandardOutput(report::CleanText(ListLineText(lines.back())));
   }
-  if (!options.junit.empty()) WriteOutput(options.junit, ListXml(lines, options));
+  if (!options.junit.empty()) io::WriteOutput(options.junit, ListXml(lines, options));
   if (options.junit != "-") {
     io::WriteStandardOutput(report::CleanText(ListSummary(lines)) + AssumedErrorLine(options));
   }

@@ -13,10 +13,9 @@
 #include "io/output.h"
 #include "legal/decided.h"
 #include "report/grounds.h"
-#include "tool/commands.h"
 #include "tool/exit_status.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legality.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -137,7 +136,7 @@ int JudgeResolved(const LegalOptions& options) {
       found.wrong.push_back(pixel);
   }
   if (!options.json.empty())
-    WriteOutput(options.json, JsonOf(found, ranges, seen, decided, profile));
+    io::WriteOutput(options.json, JsonOf(found, ranges, seen, decided, profile));
   if (options.json != "-") {
     io::WriteStandardOutput(TextOf(found, ranges, seen, decided, profile) +
                             report::AssumptionLines(profile) + AssumedErrorLine(options));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tool/commands.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legality.h"
 
 namespace rasterproof::tool {

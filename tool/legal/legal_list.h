@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tool/commands.h"
+#include "tool/legal/cmd_legal.h"
 
 namespace rasterproof::tool {
 

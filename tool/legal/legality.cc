@@ -15,7 +15,10 @@
 #include "io/counts_file.h"
 #include "model/target_profile.h"
 #include "props/judging/witness.h"
+#include "tool/exit_status.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legal_hints.h"
+#include "tool/scene_source.h"
 #include "tool/session.h"
 #include "tool/shared_files.h"
 

@@ -13,8 +13,9 @@
 #include "core/subject.h"
 #include "io/case_file.h"
 #include "legal/joint.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/legal/broken_rules.h"
+#include "tool/legal/cmd_legal.h"
 
 namespace rasterproof::tool {
 

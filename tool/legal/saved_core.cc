@@ -10,7 +10,9 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
+#include "tool/case_choice.h"
 #include "tool/interrupt.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {

@@ -6,7 +6,7 @@
 
 #include "core/subject.h"
 #include "legal/joint.h"
-#include "tool/commands.h"
+#include "tool/legal/cmd_legal.h"
 #include "tool/legal/legality.h"
 
 namespace rasterproof::tool {

@@ -1,4 +1,6 @@
 // rasterproof list: what there is to choose from.
+#include "tool/list/cmd_list.h"
+
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,10 +19,9 @@
 #include "props/property.h"
 #include "props/run/description.h"
 #include "subjects/mutants/mutants.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/list/list_clauses.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -2,6 +2,8 @@
 //
 // Both make the same cases and put the property to the test on a subject that has no pixels of its
 // own: ask's writes down what it is asked to draw, judge's answers with what the program said.
+#include "tool/pipe/cmd_pipe.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +34,8 @@
 #include "props/run/judge.h"
 #include "props/run/submit.h"
 #include "subjects/process/protocol.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/outside.h"
 #include "tool/progress.h"

@@ -1,4 +1,6 @@
 // rasterproof plan: what a scene needs, and what can be left out.
+#include "tool/plan/cmd_plan.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,9 +18,9 @@
 #include "model/target_profile.h"
 #include "reference/plan.h"
 #include "report/bench_json.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/plan/plan_error.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -1,4 +1,6 @@
 // rasterproof selftest: do the properties find planted bugs, and let legal variants pass?
+#include "tool/selftest/cmd_selftest.h"
+
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -13,11 +15,11 @@
 #include "fmt/format.h"
 #include "io/output.h"
 #include "subjects/mutants/mutants.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/selftest/selftest.h"
-#include "tool/session.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {

@@ -1,4 +1,6 @@
 // rasterproof survey: which model comes nearest to a subject, and what each domain shows beside it.
+#include "tool/survey/cmd_survey.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -16,12 +18,13 @@
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
 #include "report/text.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/file_names.h"
+#include "tool/infer/cmd_infer.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
@@ -207,7 +210,7 @@ int RunSurvey(const SurveyOptions& options) {
   crew.Give(std::move(first));
   const std::vector<DomainSurvey> surveys = SurveyAll(crew, options, model.profile);
   if (!options.json.empty()) {
-    WriteOutput(options.json, SurveyJson(info, model, options.campaign.seed, surveys));
+    io::WriteOutput(options.json, SurveyJson(info, model, options.campaign.seed, surveys));
   }
   if (!options.save.empty()) SaveFindings(options.save, info.name, surveys);
   if (options.json != "-") {

@@ -1,5 +1,7 @@
 // rasterproof sweep: which builds of a rasterizer draw other samples, and by which flags, file and
 // function.
+#include "tool/sweep/cmd_sweep.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -18,10 +20,10 @@
 #include "io/json_writer.h"
 #include "io/output.h"
 #include "report/text.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/interrupt.h"
 #include "tool/progress.h"
-#include "tool/session.h"
 #include "tool/sweep/sweep_blame.h"
 #include "tool/sweep/sweep_builds.h"
 #include "tool/sweep/sweep_delta.h"
@@ -375,7 +377,7 @@ int RunSweep(const SweepOptions& options) {
     io::WriteStandardOutput(report::CleanText(Table(runner, sweep) + "\n" + GroupsText(sweep) +
                                               "\n" + DifferencesText(sweep) + summary));
   }
-  if (!options.json.empty()) WriteOutput(options.json, Json(runner, sweep, options));
+  if (!options.json.empty()) io::WriteOutput(options.json, Json(runner, sweep, options));
   return differing + stopped == 0 ? kExitHolds : kExitViolated;
 }
 

@@ -1,4 +1,6 @@
 // rasterproof vectors generate: cases and what is required of them, as files.
+#include "tool/vectors/cmd_vectors.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -17,9 +19,9 @@
 #include "props/vectors/stated_world.h"
 #include "report/vectors_json.h"
 #include "report/vectors_tables.h"
-#include "tool/commands.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
 #include "tool/progress.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -145,12 +147,12 @@ int RunGenerate(const GenerateOptions& options) {
     std::string body;
     DrawAll(options, header,
             [&](const TestVector& vector) { body += report::VectorLines(vector, header); });
-    WriteOutput(options.output, report::VectorsHeaderLine(header, body) + body);
+    io::WriteOutput(options.output, report::VectorsHeaderLine(header, body) + body);
   } else {
     std::vector<TestVector> vectors;
     DrawAll(options, header, [&](const TestVector& vector) { vectors.push_back(vector); });
     if (options.format == "c") {
-      WriteOutput(options.output, report::VectorsAsC(header, vectors));
+      io::WriteOutput(options.output, report::VectorsAsC(header, vectors));
     } else {
       io::MakeFolder(options.output);
       for (const auto& [name, text] : report::VectorsAsReadmemh(header, vectors))

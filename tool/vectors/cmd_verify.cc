@@ -15,10 +15,11 @@
 #include "io/output.h"
 #include "io/vectors_file.h"
 #include "model/target_profile.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
+#include "tool/vectors/cmd_vectors.h"
 #include "tool/vectors/vectors_verdict.h"
 
 namespace rasterproof::tool {

@@ -1,4 +1,6 @@
 // rasterproof widths: how many bits the values of an integer edge function take.
+#include "tool/widths/cmd_widths.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -22,9 +24,8 @@
 #include "io/case_file.h"
 #include "io/json_writer.h"
 #include "io/output.h"
-#include "tool/commands.h"
+#include "tool/exit_status.h"
 #include "tool/progress.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -222,7 +223,7 @@ int RunWidths(const WidthsOptions& options) {
     SaveWitnesses(options.save, unit, widths, /*only_seen=*/false);
     SaveWitnesses(options.save, unit, exact::InputsBeyondBits(unit), /*only_seen=*/true);
   }
-  if (!options.json.empty()) WriteOutput(options.json, ToJson(unit, widths));
+  if (!options.json.empty()) io::WriteOutput(options.json, ToJson(unit, widths));
   if (options.json != "-") io::WriteStandardOutput(ToTable(unit, widths));
   return kExitHolds;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "core/bench_result.h"
@@ -41,6 +42,11 @@ struct Place {
   double x = 0;
   double y = 0;
 };
+
+/// From left to right, and of equal ones the first in the record.
+inline std::pair<double, const BenchRow*> OrderOf(const Place& place) {
+  return {place.x, place.row};
+}
 
 struct Box {
   double x = 0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
@@ -49,7 +50,9 @@ std::string RowsTable(const BenchResult& bench) {
   for (const BenchRow& row : bench.rows) {
     if (!IsBaselineAgain(bench, row)) rows.push_back(&row);
   }
-  std::ranges::stable_sort(rows, {}, [](const BenchRow* row) { return row->ratio.median; });
+  std::ranges::sort(rows, {}, [](const BenchRow* row) {
+    return std::pair(row->ratio.median, row);  // of equal ones the first in the record
+  });
   for (const BenchRow* row : rows) html += RowCells(bench, *row);
   return html + "</tbody></table></div>\n" +
          ColumnKey({{"by", "instruction set; compiler: as the compiler was told"},

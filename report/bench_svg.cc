@@ -254,7 +254,7 @@ std::vector<Place> Panel::Places(std::string_view sink, ErrorKind kind) const {
     if (error.lane == ErrorLane::kNotJudged || IsBaselineAgain(result_, row)) continue;
     places.push_back({&row, time_.At(row.ratio.median), axis.At(error.value)});
   }
-  std::ranges::stable_sort(places, {}, &Place::x);
+  std::ranges::sort(places, {}, OrderOf);
   for (const Lane& lane : Lanes(kind)) {
     std::vector<Place*> here;
     for (Place& place : places) {
@@ -410,7 +410,7 @@ std::string PointsOf(const BenchResult& result, const Panel& panel,
       at->second[error] = fmt::format("{:.1f}", place.y);
     }
   }
-  std::ranges::stable_sort(all, {}, &Place::x);
+  std::ranges::sort(all, {}, OrderOf);
   std::string svg;
   for (const Place& place : all) {
     const auto& own = heights[place.row];

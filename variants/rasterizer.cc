@@ -42,9 +42,8 @@ class Rasterizer final : public Subject {
     if (stages_.batch && outcomes.size() > 1) stages_.batch(outcomes);
     return outcomes;
   }
-  // Who says nothing of threads says nothing of two at once.
   Subject* Twin() override {
-    if (!info_.takes_threads) return nullptr;
+    if (!base_.has_twin) return nullptr;
     if (!twin_) twin_ = std::make_unique<Rasterizer>(info_, stages_, base_);
     return twin_.get();
   }

@@ -20,7 +20,8 @@ namespace rasterproof::variants {
 template <class Point>
 struct Arithmetic {
   Lattice<Point> lattice = {};
-  int tile = 0;  ///< the side of its tiles; 0: it has none, whatever the options say
+  int tile = 0;          ///< the side of its tiles; 0: it has none, whatever the options say
+  bool has_twin = true;  ///< a second one of it may be drawn beside it
 
   /// The profile with what it says of the scene's target as its own.
   Profile (*on_target)(const Profile&, const Scene&);

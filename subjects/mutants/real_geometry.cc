@@ -13,6 +13,7 @@ namespace rasterproof::subjects::mutants {
 namespace {
 
 constexpr variants::Arithmetic<Point2> kRealGeometry{
+    .has_twin = false,
     .on_target = ModelOn,
     .wrap = [](double x, const FixedInput&) { return x; },
     .snap = SnapToGrid,

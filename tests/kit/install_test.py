@@ -229,7 +229,7 @@ class InAnotherTree(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("flags [-O3 -DNDEBUG] []", done.stdout)
             done = run(CMAKE, "--build", build, "--target", "CMakeFiles/x.dir/x.cc.o",
-                       "_deps/rasterproof-build/reference/CMakeFiles/rasterproof_rasterize.dir/"
+                       "_deps/rasterproof-build/library/CMakeFiles/rasterproof_rasterize.dir/"
                        "row_crossing.cc.o")  # fmt: skip
             self.assertEqual(done.returncode, 0, done.stdout)
             with open(os.path.join(build, "build.ninja"), encoding="utf-8") as file:

@@ -172,7 +172,7 @@ class Foreseeing {
       };
       if (const auto known = Known(candidate, bytes, kind)) {
         if (decide(*known) && is_known_so_far) smallest_ = candidate;
-        return *known;
+        return known;
       }
       is_known_so_far = false;
       if (const auto it = supposed.find(bytes); it != supposed.end()) return decide(it->second);

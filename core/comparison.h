@@ -57,6 +57,7 @@ struct ComparedSubject {
 /// Cases by yardsticks, of some subjects.
 struct ComparisonTable {
   std::string what = "families";  ///< its rows
+  std::string one = "family";     ///< one of them
   std::uint64_t seed = 0;
   std::uint64_t cases = 0;              ///< of each row that is no world and no scene
   std::vector<std::string> yardsticks;  ///< names; the first one's verdict counts

@@ -4,8 +4,10 @@
 
 namespace rasterproof {
 
-/// The largest errors, in ulps of the exact value, that tests/core/elementary_test.cc allows. Seen
-/// in two million arguments each: 1.81, 1.18, 3.34, and 1 where Hypot is subnormal.
+/// The largest errors, in ulps of the exact value: tested, not proved. They are what
+/// tests/core/elementary_test.cc allows.
+///
+/// Measured:   1.68, 1.15, 3.02 and 1 ulps, ElementaryTest, 100,000 cases each, seed 1.
 inline constexpr double kSinPiUlps = 2;
 inline constexpr double kExp2Ulps = 2;
 inline constexpr double kLog2Ulps = 4;

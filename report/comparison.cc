@@ -170,7 +170,7 @@ std::string ComparisonToJson(const ComparisonTable& table) {
   io::JsonWriter json;
   json.BeginObject().Key("rasterproof_catalogue").Integer(1);
   json.Key("seed").Integer(table.seed).Key("cases").Integer(table.cases);
-  json.Key("families").BeginArray();
+  json.Key(table.what).BeginArray();
   for (const ComparedRow& row : table.rows) {
     json.BeginObject().Key("name").Text(row.name).Key("summary").Text(row.summary);
     json.Key("theme").Text(row.theme).Key("right").Text(row.right).EndObject();
@@ -179,7 +179,7 @@ std::string ComparisonToJson(const ComparisonTable& table) {
   for (const ComparedSubject& subject : table.subjects) {
     json.BeginObject().Key("subject").Text(subject.name).Key("cells").BeginArray();
     for (std::size_t k = 0; k < subject.cells.size(); ++k) {
-      json.BeginObject().Key("family").Text(table.rows[k].name);
+      json.BeginObject().Key(table.one).Text(table.rows[k].name);
       for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
         std::string key = table.yardsticks[y];
         std::ranges::replace(key, ' ', '_');

@@ -1,4 +1,5 @@
-// What several verbs share: reading scenes and cases, drawing them, and commands to type again.
+// What several verbs share: reading cases, drawing them, and commands to type again. Scenes are
+// read by tool/scene_source.h.
 // Names of subjects, profiles and properties are resolved by tool/resolve.h.
 #ifndef RASTERPROOF_TOOL_SESSION_H_
 #define RASTERPROOF_TOOL_SESSION_H_

@@ -62,10 +62,14 @@ class Compare(unittest.TestCase):
     def test_another_subject_is_a_yardstick_and_a_scene_a_row(self):
         same = run("compare", "scenes/ties.json", "--subject", "textbook", "--by", "textbook")
         self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
+        self.assertIn("1 scenes stand, 0 fail", same.stdout)
         other = run("compare", "scenes/ties.json", "--subject", "textbook",
                     "--by", "spans-exact,own", "--json", "-")  # fmt: skip
         self.assertEqual(other.returncode, 1, other.stdout + other.stderr)
-        (cell,) = json.loads(other.stdout)["subjects"][0]["cells"]
+        read = json.loads(other.stdout)
+        self.assertEqual([row["name"] for row in read["scenes"]], ["scenes/ties.json"])
+        (cell,) = read["subjects"][0]["cells"]
+        self.assertEqual(cell["scene"], "scenes/ties.json")
         for yardstick in ("spans-exact", "own_model"):
             self.assertEqual((cell[yardstick]["state"], cell[yardstick]["cases"]), ("fails", 1))
 

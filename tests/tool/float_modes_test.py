@@ -28,7 +28,7 @@ class FloatModes(unittest.TestCase):
         """{(mode, way): cell}, of those in which a case was compared"""
         done = compare(*arguments, "--json", "-", **how)
         (subject,) = json.loads(done.stdout)["subjects"]
-        return {(row["family"], way): row[way] for row in subject["cells"]
+        return {(row["mode"], way): row[way] for row in subject["cells"]
                 for way in ("call", "load", "workers") if row[way]["cases"]}  # fmt: skip
 
     def fails(self, cell):

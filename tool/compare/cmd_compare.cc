@@ -74,9 +74,16 @@ class Asked {
   }
 
   ComparisonTable Head() const {
-    if (modes_.empty()) return TableOf(families_, columns_, plan_);
-    ComparisonTable table = TableOf({}, WaysOfModes(false), plan_);
-    table.what = "modes";
+    const bool by_modes = !modes_.empty();
+    ComparisonTable table =
+        by_modes ? TableOf({}, WaysOfModes(false), plan_) : TableOf(families_, columns_, plan_);
+    if (by_modes) {
+      table.what = "modes";
+      table.one = "mode";
+    } else if (!scenes_.empty()) {
+      table.what = "scenes";
+      table.one = "scene";
+    }
     for (const FloatMode mode : modes_) {
       table.rows.push_back({std::string(FloatModeName(mode)), "", "", ""});
     }

@@ -98,4 +98,6 @@ build() {
   step "build $preset" env NINJA_STATUS='[%f/%t, %es] ' GLIBC_TUNABLES=glibc.malloc.hugetlb=1 \
     cmake --build --preset "$preset" --parallel "$(count_jobs)" --target "$@" ||
     die 3 "the build of preset $preset failed"
+  # What an earlier tree built at another place is gone, so that no document can go on naming it.
+  cmake --build --preset "$preset" -- -t cleandead >/dev/null
 }

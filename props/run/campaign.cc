@@ -175,6 +175,7 @@ class Campaign {
   }
 
   std::vector<Trial> TryAll(std::span<const Case> cases) {
+    if (options_.tried) return options_.tried(cases);
     if (cases.size() == 1) return {TryCase(subject_, property_, cases.front())};
     return TryTogether(subject_, property_, cases, options_.stop);
   }

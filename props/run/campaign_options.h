@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "core/case.h"
 #include "core/subject.h"
@@ -15,6 +17,7 @@
 
 namespace rasterproof::props {
 
+struct Trial;  // props/run/trial.h
 struct World;  // props/domains/worlds.h
 
 inline constexpr std::uint64_t kDefaultSeed = 1;
@@ -68,6 +71,9 @@ struct CampaignOptions {
   /// nothing else, as in a replay. Empty, or nullptr if none can be made or the run is stopped: the
   /// subject itself judges it again.
   std::function<std::unique_ptr<Subject>()> afresh = {};
+  /// Gives the trials of the next cases where they are known already, as TryTogether() would, and
+  /// credits the decisions that they took. Empty: the cases are put to the subject.
+  std::function<std::vector<Trial>(std::span<const Case>)> tried = {};
   /// The clock, for tests. Empty: std::chrono::steady_clock.
   std::function<std::chrono::steady_clock::time_point()> now = {};
 };

@@ -47,8 +47,6 @@ class CaseBytes {
   std::string bytes_;
 };
 
-std::string BytesOf(const Case& c) { return CaseBytes(c).Take(); }
-
 // What a step makes simpler. Steps of one kind fail about equally often.
 enum class StepKind : std::uint8_t {
   kTriangles,
@@ -230,6 +228,8 @@ class Foreseeing {
 };
 
 }  // namespace
+
+std::string BytesOf(const Case& c) { return CaseBytes(c).Take(); }
 
 Case Foresee(const Case& failing, const KnownFailures& known, std::uint64_t budget) {
   return Foreseeing(failing, known, budget).Run();

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "core/case.h"
 
@@ -17,6 +18,9 @@ struct KnownFailures {
   /// Takes a candidate of which nothing is known. Returns whether there is room for more.
   std::function<bool(const Case&)> want;
 };
+
+/// Returns all that shrinking changes of a case, as bytes.
+std::string BytesOf(const Case& c);
 
 /// Goes the way that Shrink() goes, as far as it is known, and beyond: hands out the candidates
 /// that Shrink() may ask about next, the likeliest first. Each possible course is followed, the

@@ -1,0 +1,150 @@
+// Answers as bytes: counts and ids in runs of equal ones, because most samples are like the one
+// before.
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/call_end.h"
+#include "core/drawing.h"
+#include "core/scene.h"
+#include "props/engine/known_answers.h"
+
+namespace rasterproof::props {
+namespace {
+
+class OutcomeWriter {
+ public:
+  void Number(std::uint64_t n) {
+    for (; n >= 0x80; n >>= 7U) bytes_.push_back(static_cast<char>(0x80U | (n & 0x7fU)));
+    bytes_.push_back(static_cast<char>(n));
+  }
+  void Text(std::string_view text) {
+    Number(text.size());
+    bytes_ += text;
+  }
+  template <class T>
+  void Runs(const std::vector<T>& values) {
+    Number(values.size());
+    for (std::size_t k = 0; k < values.size();) {
+      std::size_t end = k + 1;
+      while (end < values.size() && values[end] == values[k]) ++end;
+      Number(static_cast<std::uint32_t>(values[k]));
+      Number(end - k);
+      k = end;
+    }
+  }
+  template <class T>
+  void Raw(const std::vector<T>& values) {
+    Number(values.size());
+    if (!values.empty()) {
+      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+    }
+  }
+  std::string Take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+class OutcomeReader {
+ public:
+  explicit OutcomeReader(std::string_view bytes) : bytes_(bytes) {}
+  bool IsGood() const { return is_good_; }
+  bool IsAtEnd() const { return is_good_ && bytes_.empty(); }
+
+  std::uint64_t Number(std::uint64_t most) {
+    std::uint64_t n = 0;
+    for (unsigned shift = 0; shift < 64; shift += 7) {
+      if (bytes_.empty()) break;
+      const auto byte = static_cast<unsigned char>(bytes_.front());
+      bytes_.remove_prefix(1);
+      n |= std::uint64_t{byte & 0x7fU} << shift;
+      if (byte < 0x80) {
+        if (n > most) break;
+        return n;
+      }
+    }
+    is_good_ = false;
+    return 0;
+  }
+  std::string_view Text() {
+    const std::size_t size = Number(bytes_.size());
+    return Bytes(size, 1);
+  }
+  template <class T>
+  void Runs(std::vector<T>& values, std::size_t most) {
+    const std::size_t size = Number(most);
+    while (is_good_ && values.size() < size) {
+      const auto value = static_cast<T>(Number(UINT32_MAX));
+      const std::size_t run = Number(size - values.size());
+      if (run == 0) is_good_ = false;
+      if (is_good_) values.insert(values.end(), run, value);
+    }
+  }
+  template <class T>
+  void Raw(std::vector<T>& values) {
+    const std::size_t size = Number(bytes_.size());
+    const std::string_view raw = Bytes(size, sizeof(T));
+    if (raw.empty()) return;
+    values.resize(size);
+    std::memcpy(values.data(), raw.data(), raw.size());
+  }
+
+ private:
+  std::string_view Bytes(std::size_t count, std::size_t of_each) {
+    if (!is_good_ || count > bytes_.size() / of_each) {
+      is_good_ = false;
+      return {};
+    }
+    const std::string_view taken = bytes_.substr(0, count * of_each);
+    bytes_.remove_prefix(taken.size());
+    return taken;
+  }
+
+  std::string_view bytes_;
+  bool is_good_ = true;
+};
+
+}  // namespace
+
+std::string OutcomeBytes(const DrawOutcome& outcome) {
+  OutcomeWriter out;
+  out.Number(static_cast<std::uint64_t>(outcome.end.stop));
+  out.Text(outcome.end.why);
+  const Drawing& drawing = outcome.drawing;
+  for (const int n : {drawing.counts.width, drawing.counts.height, drawing.counts.samples}) {
+    out.Number(static_cast<std::uint64_t>(n));
+  }
+  out.Runs(drawing.counts.front);
+  out.Runs(drawing.counts.back);
+  out.Runs(drawing.primitive_ids);
+  out.Raw(drawing.barycentrics);
+  out.Raw(drawing.depths);
+  out.Raw(drawing.centroids);
+  return out.Take();
+}
+
+std::optional<DrawOutcome> ReadOutcome(std::string_view bytes) {
+  OutcomeReader in(bytes);
+  DrawOutcome outcome;
+  outcome.end.stop = static_cast<Stop>(in.Number(static_cast<std::uint64_t>(Stop::kDeadline)));
+  outcome.end.why = in.Text();
+  Drawing& drawing = outcome.drawing;
+  for (int* n : {&drawing.counts.width, &drawing.counts.height, &drawing.counts.samples}) {
+    *n = static_cast<int>(in.Number(INT32_MAX));
+  }
+  in.Runs(drawing.counts.front, std::size_t{kMaxTargetSamples});
+  in.Runs(drawing.counts.back, std::size_t{kMaxTargetSamples});
+  in.Runs(drawing.primitive_ids, std::size_t{kMaxTargetSamples});
+  in.Raw(drawing.barycentrics);
+  in.Raw(drawing.depths);
+  in.Raw(drawing.centroids);
+  return in.IsAtEnd() ? std::optional(std::move(outcome)) : std::nullopt;
+}
+
+}  // namespace rasterproof::props

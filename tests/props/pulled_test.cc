@@ -1,0 +1,245 @@
+// What is pulled is what a direct run finds, bit for bit, whatever is saved and loaded meanwhile.
+#include "props/engine/pulled.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/error.h"
+#include "io/case_file.h"
+#include "props/property.h"
+#include "props/run/campaign.h"
+#include "props/run/counterexample.h"
+#include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
+
+namespace rasterproof::props {
+namespace {
+
+constexpr std::uint64_t kPulledCases = 20;
+
+// A subject as one that is reached by its answers alone: what it draws is added to targets here.
+class AtAFarEnd final : public Subject {
+ public:
+  explicit AtAFarEnd(const std::string& name)
+      : subject_(subjects::IsMutant(name) ? subjects::MakeMutant(name)
+                                          : subjects::MakeBuiltin(name)) {}
+  const SubjectInfo& OwnInfo() const override { return subject_->OwnInfo(); }
+  bool SharesCalls() const override { return true; }
+  std::vector<DrawOutcome> DrawMany(std::span<const DrawJob> jobs) override {
+    drawn_ += jobs.size();
+    std::vector<DrawOutcome> outcomes;
+    for (const DrawJob& job : jobs) {
+      DrawJob alone = job;
+      alone.onto = nullptr;
+      outcomes.push_back(std::move(subject_->DrawMany({&alone, 1}).front()));
+      if (outcomes.back().end.stop == Stop::kNone && job.onto) {
+        outcomes.back().drawing.counts += *job.onto;
+      }
+      if (EndsTheCall(outcomes.back().end.stop)) break;
+    }
+    return outcomes;
+  }
+  std::uint64_t drawn() const { return drawn_; }
+
+ private:
+  std::unique_ptr<Subject> subject_;
+  std::uint64_t drawn_ = 0;
+};
+
+constexpr int kMostRounds = 200;
+
+// Pulls to the end. Returns the number of rounds.
+int Pull(PulledEngine& engine, Subject& subject) {
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::vector<DrawJob>& jobs = engine.Next();
+    if (jobs.empty()) return round;
+    EXPECT_TRUE(engine.Answer(subject.DrawMany(jobs)));
+  }
+  ADD_FAILURE() << "there is no end";
+  return kMostRounds;
+}
+
+std::string TextOf(const Case& c) { return io::CaseToJson({c, "", ""}); }
+
+void ExpectSame(const Verdict& a, const Verdict& b) {
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.exercised, b.exercised);
+  EXPECT_EQ(a.worst_ratio, b.worst_ratio);
+  ASSERT_EQ(a.witness.has_value(), b.witness.has_value());
+  if (!a.witness) return;
+  EXPECT_EQ(a.witness->x, b.witness->x);
+  EXPECT_EQ(a.witness->y, b.witness->y);
+  EXPECT_EQ(TextOfValue(a.witness->observed), TextOfValue(b.witness->observed));
+  EXPECT_EQ(TextOfValue(a.witness->expected), TextOfValue(b.witness->expected));
+}
+
+void ExpectSame(const Counterexample& a, const Counterexample& b) {
+  EXPECT_EQ(TextOf(a.value), TextOf(b.value));
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+  ExpectSame(a.verdict, b.verdict);
+}
+
+void ExpectSame(const PropertyResult& a, const PropertyResult& b) {
+  SCOPED_TRACE(a.property + " of " + a.subject);
+  EXPECT_EQ(a.outcome, b.outcome);
+  EXPECT_EQ(a.message, b.message);
+  EXPECT_EQ(a.cases, b.cases);
+  EXPECT_EQ(a.exercised, b.exercised);
+  EXPECT_EQ(a.cases_refused, b.cases_refused);
+  EXPECT_EQ(a.worst_ratio, b.worst_ratio);
+  EXPECT_EQ(a.tiers, b.tiers);
+  EXPECT_EQ(a.end, b.end);
+  ASSERT_EQ(a.counterexample.has_value(), b.counterexample.has_value());
+  if (a.counterexample) ExpectSame(*a.counterexample, *b.counterexample);
+}
+
+CampaignOptions Options() {
+  CampaignOptions options;
+  options.cases = kPulledCases;
+  options.shrink_budget = 300;
+  options.now = [] { return std::chrono::steady_clock::time_point(); };
+  return options;
+}
+
+const Property& Named(std::string_view name) { return *FindProperty(std::string(name)); }
+
+class PulledTest : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(PulledTest, ChecksAsARunDoes) {
+  AtAFarEnd far(GetParam());
+  PulledEngine engine(far.Info(), {20'000, std::size_t{1} << 27U});
+  std::vector<const PulledCheck*> checks;
+  std::vector<const Property*> properties;
+  for (const Property& property : Catalog()) {
+    if (property.is_about_sequence || property.takes_long) continue;
+    properties.push_back(&property);
+    checks.push_back(&engine.Add(std::make_unique<PulledCheck>(property, Options())));
+  }
+  Pull(engine, far);
+  for (std::size_t k = 0; k < checks.size(); ++k) {
+    ExpectSame(checks[k]->result(), RunCampaign(far, *properties[k], Options()));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Subjects, PulledTest,
+                         ::testing::Values("spans-exact", "f32-direct", "mutant:ties-inclusive",
+                                           "mutant:vulkan-depth-off"),
+                         [](const auto& info) {
+                           std::string name = info.param;
+                           for (char& c : name) c = std::isalnum(c) != 0 ? c : '_';
+                           return name;
+                         });
+
+TEST(PulledEngine, GoesOnFromWhatItSaved) {
+  AtAFarEnd far("mutant:ties-inclusive");
+  const Property& property = Named("SharedEdgeSamplesAreCoveredOnce");
+  const RoundSize small{300, std::size_t{1} << 20U};
+  std::string saved;
+  std::unique_ptr<PulledEngine> engine;
+  const PulledCheck* check = nullptr;
+  int rounds = 0;
+  for (; rounds < kMostRounds; ++rounds) {
+    engine = std::make_unique<PulledEngine>(far.Info(), small);
+    check = &engine->Add(std::make_unique<PulledCheck>(property, Options()));
+    if (!saved.empty()) engine->load(saved);
+    const std::vector<DrawJob>& jobs = engine->Next();
+    if (jobs.empty()) break;
+    EXPECT_TRUE(engine->Answer(far.DrawMany(jobs)));
+    saved = engine->save();
+  }
+  EXPECT_GT(rounds, 3);
+  ExpectSame(check->result(), RunCampaign(far, property, Options()));
+  EXPECT_THROW(engine->load("something else"), InputError);
+  EXPECT_THROW(engine->load(std::string_view(saved).substr(0, saved.size() - 1)), InputError);
+  EXPECT_EQ(engine->save(), saved);
+}
+
+TEST(PulledEngine, ShrinksAsReplayDoes) {
+  AtAFarEnd far("mutant:ties-inclusive");
+  const Property& property = Named("CoverageEqualsTheModel");
+  Case failing;
+  for (std::uint64_t n = 0;; ++n) {
+    failing = DrawCase(far.Info(), property, 7, n);
+    if (TryCase(far, property, failing).verdict.outcome == Outcome::kViolated) break;
+  }
+  PulledEngine engine(far.Info());
+  const PulledShrink& shrink =
+      engine.Add(std::make_unique<PulledShrink>(property, failing, Options()));
+  EXPECT_LE(Pull(engine, far), 15);
+  ExpectSame(shrink.result(), ShrinkFailing(far, property, failing, Options()));
+}
+
+TEST(PulledEngine, InfersAsInferDoes) {
+  for (const char* name : {"spans-exact", "mutant:ties-inclusive"}) {
+    SCOPED_TRACE(name);
+    AtAFarEnd far(name);
+    PulledEngine engine(far.Info());
+    const PulledInfer& pulled = engine.Add(std::make_unique<PulledInfer>(InferOptions{}));
+    EXPECT_LE(Pull(engine, far), 10);
+    const Inference direct = Infer(far);
+    EXPECT_EQ(pulled.result().remaining, direct.remaining);
+    EXPECT_EQ(pulled.result().message, direct.message);
+    EXPECT_EQ(pulled.result().experiments, direct.experiments);
+    EXPECT_EQ(pulled.result().models, direct.models);
+    const auto& [a, b] = std::pair(pulled.result().against_stated, direct.against_stated);
+    ASSERT_EQ(a.has_value(), b.has_value());
+    if (a) {
+      EXPECT_EQ(TextOf(*a), TextOf(*b));
+    }
+  }
+}
+
+TEST(PulledEngine, AsksManyCasesInOneRoundAndEachOnce) {
+  AtAFarEnd far("spans-exact");
+  const Property& property = Named("CoverageEqualsTheModel");
+  PulledEngine engine(far.Info());
+  const PulledCheck& check = engine.Add(std::make_unique<PulledCheck>(property, Options()));
+  EXPECT_EQ(engine.progress().done, 0U);
+  EXPECT_LE(Pull(engine, far), 2);
+  EXPECT_EQ(engine.progress().done, kPulledCases);
+  const std::uint64_t pulled = far.drawn();
+  RunCampaign(far, property, Options());
+  EXPECT_LE(pulled, far.drawn() - pulled);
+  EXPECT_EQ(check.result().outcome, Outcome::kHolds);
+}
+
+TEST(PulledEngine, SaysThatAnAnswerChanged) {
+  AtAFarEnd far("spans-exact");
+  PulledEngine engine(far.Info());
+  engine.Add(std::make_unique<PulledInfer>(InferOptions{}));
+  bool is_the_same = true;
+  for (int round = 0; round < 3 && is_the_same; ++round) {
+    std::vector<DrawOutcome> outcomes = far.DrawMany(engine.Next());
+    for (DrawOutcome& outcome : outcomes) {
+      for (std::uint32_t& count : outcome.drawing.counts.front) count += round == 0 ? 0U : 1U;
+    }
+    is_the_same = engine.Answer(outcomes);
+  }
+  EXPECT_FALSE(is_the_same);
+}
+
+TEST(PulledEngine, DoesNotJudgeTheOrderOfCalls) {
+  AtAFarEnd far("spans-exact");
+  PulledEngine engine(far.Info());
+  const PulledCheck& check =
+      engine.Add(std::make_unique<PulledCheck>(Named("EarlierScenesLeaveNoTrace"), Options()));
+  EXPECT_TRUE(engine.Next().empty());
+  EXPECT_EQ(check.result().outcome, Outcome::kNotApplicable);
+}
+
+}  // namespace
+}  // namespace rasterproof::props

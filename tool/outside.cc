@@ -168,7 +168,7 @@ std::vector<std::string> OwnNames() {
 
 bool NamesWhatToRun(std::string_view name) {
   return name.starts_with(kPluginPrefix) || name.starts_with(kExecPrefix) ||
-         name.ends_with(kDescriptionEnding);
+         name.starts_with(kRoundsPrefix) || name.ends_with(kDescriptionEnding);
 }
 
 bool IsOutside(std::string_view name) {
@@ -181,6 +181,10 @@ SubjectMaker ResolveOutside(const std::string& name) {
     ProgramDescription description = PlainDescription();
     description.command = name.substr(kExecPrefix.size());
     return Executed(description, name);
+  }
+  if (name.starts_with(kRoundsPrefix)) {
+    throw InputError(name, "this verb asks more than rounds of files can answer",
+                     "give it to replay --shrink or infer");
   }
   if (name.ends_with(kDescriptionEnding)) {
     return Executed(ParseDescription(io::ReadFile(name), name), name);

@@ -19,8 +19,10 @@ namespace rasterproof::tool {
 ///   plugin:PATH       a shared library with the interface of kit/rasterproof_plugin.h
 ///   exec:COMMAND      a program that speaks subjects/process/protocol.h, as PlainDescription says
 ///   PATH.subject      a program and what it states (description.h)
+///   rounds:FOLDER     a program that is not at hand, asked by files (pipe/cmd_rounds.h)
 inline constexpr std::string_view kPluginPrefix = "plugin:";
 inline constexpr std::string_view kExecPrefix = "exec:";
+inline constexpr std::string_view kRoundsPrefix = "rounds:";
 inline constexpr std::string_view kDescriptionEnding = ".subject";
 
 /// How long and how large a subject outside may be. Set once, from the command line.

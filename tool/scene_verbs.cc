@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/error.h"
 #include "core/scene.h"
 #include "tool/coverage/cmd_coverage.h"
 #include "tool/legal/cmd_legal.h"
@@ -286,38 +287,16 @@ void AddFloatMode(CLI::App* app, const std::string& option, FloatModeOfHost::Whe
           CLI::IsMember(std::vector<std::string>{kFloatModeNames.begin(), kFloatModeNames.end()}));
 }
 
-void AddRounds(CLI::App* app, RoundsOptions& options) {
-  app->add_option("--rounds", options.folder,
-                  "Folder of the rounds: round-N.requests is written, round-N.answers is read")
-      ->required();
-  app->add_option("--description", options.description,
-                  "File that says what the program states (docs/subjects.md)");
-  app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
-}
-
-void AddShrinkRounds(CLI::App* pipe, Run& run) {
-  static ShrinkRoundsOptions options;
-  CLI::App* verb = pipe->add_subcommand(
-      "shrink", "Find the smallest case that still fails, by a program that is asked in rounds");
-  verb->add_option("case", options.choice.path, "Case or scene file, or its JSON itself");
-  verb->add_option("--case", options.choice.name, std::string(kCaseHelp));
-  verb->add_option("--property", options.choice.property,
-                   "Property (default: the one the file names)");
-  AddRounds(verb, options.rounds);
-  verb->add_option("-o,--output", options.output, "File for the smallest case")->required();
-  verb->add_option("--evaluations", options.evaluations, "Most evaluations to shrink by")
-      ->capture_default_str();
-  verb->callback([&run] { run = [] { return RunShrinkRounds(options); }; });
-}
-
-void AddInferRounds(CLI::App* pipe, Run& run) {
-  static InferRoundsOptions options;
-  CLI::App* verb = pipe->add_subcommand(
-      "infer", "Find the model that a program follows, which is asked in rounds");
-  AddRounds(verb, options.rounds);
-  AddSeed(verb, options.seed, "experiments");
-  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
-  verb->callback([&run] { run = [] { return RunInferRounds(options); }; });
+// What rounds:FOLDER does.
+void AddFormer(CLI::App* pipe, const std::string& verb, const std::string& now, Run& run) {
+  CLI::App* former = pipe->add_subcommand(verb, "")->group("");
+  former->allow_extras();
+  former->callback([verb, now, &run] {
+    run = [verb, now]() -> int {
+      throw InputError("pipe " + verb, "a program asked in rounds is a subject now",
+                       "give: rasterproof " + now + " --subject rounds:FOLDER");
+    };
+  });
 }
 
 }  // namespace
@@ -335,8 +314,8 @@ void AddPipeVerb(CLI::App& app, Run& run) {
       verb->add_subcommand("judge", "Judge on standard input the answers to what ask asked");
   AddPipe(judge, options);
   judge->callback([&run] { run = [] { return RunJudge(options); }; });
-  AddShrinkRounds(verb, run);
-  AddInferRounds(verb, run);
+  AddFormer(verb, "shrink", "replay CASE --shrink FILE", run);
+  AddFormer(verb, "infer", "infer", run);
   CLI::App* answer = verb->add_subcommand("answer", "Answer requests by a plugin");
   answer->add_option("subject", host.subject, "plugin:PATH")->required();
   answer->add_flag("--describe", host.describe, "Say only what it states");

@@ -1,4 +1,4 @@
-"""pipe shrink and pipe infer: in rounds the same as on a pipe, and what is refused.
+"""rounds:FOLDER: replay --shrink and infer in rounds as on a pipe, and what is refused.
 
 usage: rounds_test.py PROGRAM SOURCES
 """
@@ -24,7 +24,7 @@ class Rounds:
     def __init__(self, folder, verb, *options):
         self.folder = folder
         self.directory = os.path.join(folder, "rounds")
-        self.command = [PROGRAM, "pipe", verb, "--rounds", "rounds", *options]
+        self.command = [PROGRAM, verb, "--subject", "rounds:rounds", *options]
 
     def path(self, number, ending):
         return os.path.join(self.directory, f"round-{number}.{ending}")
@@ -59,16 +59,18 @@ class RoundsTest(unittest.TestCase):
         self.holder.cleanup()
 
     def describe(self, *how, profile="d3d11-canonical"):
-        with open(os.path.join(self.folder, "mine.subject"), "w", encoding="utf-8") as file:
-            file.write(f"command {sys.executable} {DRAWS} {' '.join(how)}\nprofile {profile}\n")
+        os.makedirs(os.path.join(self.folder, "rounds"), exist_ok=True)
+        for name in ("mine.subject", os.path.join("rounds", "program.subject")):
+            with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
+                file.write(f"command {sys.executable} {DRAWS} {' '.join(how)}\n"
+                           f"profile {profile}\n")  # fmt: skip
 
     def shrink(self, *options):
-        return Rounds(self.folder, "shrink", os.path.join(SOURCES, "scenes", "ties.json"),
-                      "--property", PROPERTY, "--description", "mine.subject",
-                      "--output", "small.json", *options)  # fmt: skip
+        return Rounds(self.folder, "replay", os.path.join(SOURCES, "scenes", "ties.json"),
+                      "--property", PROPERTY, "--shrink", "small.json", *options)  # fmt: skip
 
     def infer(self, *options):
-        return Rounds(self.folder, "infer", "--description", "mine.subject", *options)
+        return Rounds(self.folder, "infer", *options)
 
     def run_here(self, *arguments):
         return subprocess.run([PROGRAM, *arguments], capture_output=True, cwd=self.folder,
@@ -94,8 +96,8 @@ class RoundsTest(unittest.TestCase):
                              "--property", PROPERTY, "--subject", "mine.subject",
                              "--shrink", "small.json")  # fmt: skip
         self.assertEqual(here.returncode, 1, here.stderr)
-        self.assertEqual(in_rounds, self.small())
-        self.assertEqual(done.stdout, here.stdout)
+        self.assertEqual(in_rounds.replace("rounds:rounds", "mine.subject"), self.small())
+        self.assertEqual(done.stdout.replace("rounds:rounds", "mine.subject"), here.stdout)
         self.assertEqual(len(json.loads(in_rounds)["scene"]["triangles"]), 2)
 
     def test_judge_prints_the_line_that_starts_it(self):
@@ -107,11 +109,21 @@ class RoundsTest(unittest.TestCase):
         judged = subprocess.run([PROGRAM, "pipe", "judge", *chosen], input=said, timeout=900,
                                 capture_output=True, cwd=self.folder, text=True)  # fmt: skip
         self.assertEqual(judged.returncode, 1, judged.stderr)
-        line = next(line for line in judged.stdout.splitlines() if "pipe shrink" in line)
-        done = self.run_here(*shlex.split(line)[1:])
+        line = next(line for line in judged.stdout.splitlines()
+                    if "--subject rounds:FOLDER" in line)  # fmt: skip
+        done = self.run_here(*shlex.split(line.replace("FOLDER", "rounds"))[1:])
         self.assertEqual(done.returncode, 4, done.stderr)
-        self.assertTrue(os.path.exists(os.path.join(self.folder, "shrinking",
-                                                    "round-1.requests")))  # fmt: skip
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "rounds", "round-1.requests")))
+
+    def test_former_verbs_name_the_new_command(self):
+        for verb in ("shrink", "infer"):
+            done = self.run_here("pipe", verb, "--rounds", "rounds")
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("--subject rounds:FOLDER", done.stderr)
+
+    def test_other_verbs_refuse_the_subject(self):
+        self.describe()
+        self.assert_refused(self.run_here("check", "--subject", "rounds:rounds"), "infer")
 
     def test_a_case_that_holds_has_nothing_to_shrink(self):
         self.describe()
@@ -128,7 +140,8 @@ class RoundsTest(unittest.TestCase):
         found = []
         for name in ("found.json", "here.json"):
             with open(os.path.join(self.folder, name), encoding="utf-8") as file:
-                found.append({**json.load(file), "seconds": 0})
+                text = file.read().replace("rounds:rounds", "mine.subject")
+                found.append({**json.loads(text), "seconds": 0})
         self.assertEqual(*found)
         return done, found[0]
 
@@ -219,8 +232,7 @@ class RoundsTest(unittest.TestCase):
     def test_answers_before_their_requests_are_refused(self):
         self.describe("inclusive")
         shrink = self.shrink()
-        os.mkdir(shrink.directory)
-        with open(shrink.path(1, "answers"), "w", encoding="utf-8") as file:
+                with open(shrink.path(1, "answers"), "w", encoding="utf-8") as file:
             file.write("counts 1\n")
         self.assert_refused(shrink.ask(), "it is there before anything was asked")
 

@@ -38,6 +38,7 @@
 #include "tool/legal/cmd_legal.h"
 #include "tool/legal/legality.h"
 #include "tool/outside.h"
+#include "tool/pipe/cmd_rounds.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
@@ -239,6 +240,7 @@ int Replay(const ReplayOptions& options, LoadedCase loaded) {
 
 int RunReplay(const ReplayOptions& options) {
   RequireHonestEnvironment();
+  if (options.choice.subject.starts_with(kRoundsPrefix)) return ShrinkInRounds(options);
   return Replay(options, LoadCase(options.choice, "replay"));
 }
 

@@ -14,6 +14,8 @@
 #include "tool/exit_status.h"
 #include "tool/infer/infer_text.h"
 #include "tool/interrupt.h"
+#include "tool/outside.h"
+#include "tool/pipe/cmd_rounds.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
 
@@ -166,6 +168,7 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
 
 int RunInfer(const InferOptions& options) {
   RequireHonestEnvironment();
+  if (options.subject.starts_with(kRoundsPrefix)) return InferInRounds(options);
   const std::unique_ptr<Subject> subject = MakeSubject(options.subject, options.profile);
   NotePreset(subject->Info().profile);
   RequireSamples(subject->Info());

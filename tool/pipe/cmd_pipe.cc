@@ -269,12 +269,12 @@ const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
 // Shrinks the case with a program that is reached by files alone.
 std::string ShrinkLine(const PipeOptions& options, const std::string& case_name) {
   std::string line = fmt::format(
-      "to shrink it by files, where the program can't be started from here:\n"
-      "  rasterproof pipe shrink --case {} --property {}",
+      "to shrink it by files, where the program can't be started from here (FOLDER/program.subject "
+      "is its description):\n"
+      "  rasterproof replay --case {} --property {} --shrink small.json --subject rounds:FOLDER",
       ShellWord(case_name), options.property);
-  if (!options.description.empty()) line += " --description " + ShellWord(options.description);
   if (!options.profile.empty()) line += " --profile " + ShellWord(options.profile);
-  return line + " --rounds shrinking --output small.json\n";
+  return line + "\n";
 }
 
 // Of a run that asked for no drawing at all.

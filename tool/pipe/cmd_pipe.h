@@ -1,12 +1,10 @@
-// The verbs pipe ask, judge, shrink and infer.
+// The verbs pipe ask and judge.
 #ifndef RASTERPROOF_TOOL_PIPE_CMD_PIPE_H_
 #define RASTERPROOF_TOOL_PIPE_CMD_PIPE_H_
 
-#include <cstdint>
 #include <string>
 
 #include "props/run/campaign_options.h"
-#include "tool/case_choice.h"
 
 namespace rasterproof::tool {
 
@@ -19,28 +17,6 @@ struct PipeOptions {
 };
 int RunAsk(const PipeOptions& options);
 int RunJudge(const PipeOptions& options);
-
-/// A program that does not run here, asked in rounds.
-struct RoundsOptions {
-  std::string folder;       ///< of the rounds' files
-  std::string description;  ///< file; empty: what is assumed of a program that says nothing
-  std::string profile;      ///< in place of the description's
-};
-
-struct ShrinkRoundsOptions {
-  RoundsOptions rounds;
-  CaseChoice choice;   ///< its subject and its profile play no role
-  std::string output;  ///< file for the smallest case
-  std::uint64_t evaluations = 10000;
-};
-int RunShrinkRounds(const ShrinkRoundsOptions& options);
-
-struct InferRoundsOptions {
-  RoundsOptions rounds;
-  std::uint64_t seed = 1;
-  std::string json;  ///< file; empty: none
-};
-int RunInferRounds(const InferRoundsOptions& options);
 
 }  // namespace rasterproof::tool
 

@@ -20,13 +20,11 @@ namespace {
 
 constexpr int kRoundsVersion = 1;
 constexpr std::string_view kProgram = "version of rasterproof";
-constexpr std::size_t kMostSamples = std::size_t{1} << 25;  // in a round: files that can be sent
 
-// The answers of a file, from a place in it on.
+// The answers of a file.
 class AnswersText {
  public:
-  AnswersText(std::string_view text, std::size_t begin, std::size_t line)
-      : text_(text), next_(begin), line_(line) {}
+  explicit AnswersText(std::string_view text) : text_(text) {}
 
   std::size_t next() const { return next_; }
   std::size_t line() const { return line_; }  ///< of what is read next, from 1
@@ -53,13 +51,13 @@ class AnswersText {
 
  private:
   std::string_view text_;
-  std::size_t next_;
-  std::size_t line_;
+  std::size_t next_ = 0;
+  std::size_t line_ = 1;
   bool was_short_ = false;
 };
 
-DrawOutcome OutcomeAt(AnswersText& text, std::uint64_t id, const DrawJob& job,
-                      const SubjectInfo& info) {
+DrawOutcome NextOutcome(AnswersText& text, std::uint64_t id, const DrawJob& job,
+                        const SubjectInfo& info) {
   DrawOutcome outcome;
   outcome.end = EndOf([&] {
     outcome.drawing = subjects::ReadAnswer(
@@ -75,11 +73,6 @@ bool SaysFault(std::string_view text, std::size_t begin, std::uint64_t id) {
   const std::string head = fmt::format("fault {}", id);
   const std::string_view said = text.substr(begin);
   return said.starts_with(head + " ") || said.starts_with(head + "\n");
-}
-
-std::string AnswerAsText(const DrawOutcome& outcome, const DrawJob& job, const SubjectInfo& info) {
-  if (outcome.end.stop != Stop::kNone) return outcome.end.why;
-  return subjects::AnswerText(1, outcome.drawing, info.coverage, job.wants);
 }
 
 std::vector<DrawJob> JobsOf(const std::string& requests, const std::string& path) {
@@ -99,8 +92,8 @@ std::vector<DrawJob> JobsOf(const std::string& requests, const std::string& path
 
 }  // namespace
 
-Rounds::Rounds(std::string folder, RoundsTask task, const SubjectInfo& info, std::size_t most)
-    : folder_(std::move(folder)), task_(std::move(task)), info_(info), most_(most) {
+Rounds::Rounds(std::string folder, RoundsTask task, props::PulledEngine& engine)
+    : folder_(std::move(folder)), task_(std::move(task)), engine_(engine) {
   task_.emplace_back(kProgram, RASTERPROOF_VERSION);
   if (std::filesystem::exists(StatePath())) ReadState();
   for (std::size_t n = 1; n <= rounds_.size() && !waits_for_; ++n) ReadRound(n);
@@ -108,10 +101,6 @@ Rounds::Rounds(std::string folder, RoundsTask task, const SubjectInfo& info, std
 
 std::string Rounds::PathOf(std::size_t round, std::string_view ending) const {
   return fmt::format("{}/round-{}.{}", folder_, round, ending);
-}
-
-std::string Rounds::KeyOf(const DrawJob& job) const {
-  return subjects::RequestsText(1, {&job, 1}, info_);
 }
 
 void Rounds::RequireTask(std::string_view name, std::string_view value) const {
@@ -140,8 +129,7 @@ void Rounds::ReadState() {
   for (const io::JsonValue item : root.Get("rounds").RequireArray()) {
     rounds_.push_back({integer(item.Get("requests")),
                        std::string(item.Get("requests_fnv1a64").RequireString()),
-                       std::string(item.Get("answers_fnv1a64").RequireString()),
-                       {}});
+                       std::string(item.Get("answers_fnv1a64").RequireString())});
   }
 }
 
@@ -184,17 +172,18 @@ void Rounds::ReadRound(std::size_t number) {
     waits_for_ = answered;
     return;
   }
-  round.answers = io::ReadFile(answered);
-  const std::string hash = HashText(round.answers);
+  const std::string answers = io::ReadFile(answered);
+  const std::string hash = HashText(answers);
   if (!round.hash_of_answers.empty() && hash != round.hash_of_answers) {
     throw InputError(answered, "it changed after it was read",
                      "put back what was read, or begin again in another folder");
   }
-  AnswersText text(round.answers, 0, 1);
+  AnswersText text(answers);
   std::size_t read = 0;
   for (const DrawJob& job : JobsOf(requests, asked)) {
-    const Place place{number, text.next(), text.line(), ++last_id_};
-    const DrawOutcome outcome = OutcomeAt(text, place.id, job, info_);
+    const std::size_t begin = text.next();
+    const Place place{number, text.line(), ++last_id_};
+    const DrawOutcome outcome = NextOutcome(text, place.id, job, engine_.answers().Info());
     const std::string where = fmt::format("{}: line {}", answered, text.line() - 1);
     if (text.was_short()) {
       throw InputError(where,
@@ -202,11 +191,11 @@ void Rounds::ReadRound(std::size_t number) {
                                    place.id, read, round.requests),
                        "let the program answer all of " + asked);
     }
-    if (IsBreakdown(outcome.end.stop) && !SaysFault(round.answers, place.begin, place.id)) {
+    if (IsBreakdown(outcome.end.stop) && !SaysFault(answers, begin, place.id)) {
       throw InputError(where, fmt::format("no answer to request {}: {}", place.id, outcome.end.why),
                        "let the program answer " + asked + " again");
     }
-    Note(job, place);
+    Note(job, outcome, place);
     ++read;
   }
   if (!text.AtEnd()) {
@@ -217,19 +206,9 @@ void Rounds::ReadRound(std::size_t number) {
   round.hash_of_answers = hash;
 }
 
-void Rounds::Note(const DrawJob& job, const Place& place) {
-  const auto [it, is_new] = known_.try_emplace(KeyOf(job), place);
-  if (is_new) {
-    answered_.push_back(job);
-    return;
-  }
-  Place& first = it->second;
-  const auto said_at = [&](const Place& at) {
-    AnswersText text(rounds_[at.round - 1].answers, at.begin, at.line);
-    return AnswerAsText(OutcomeAt(text, at.id, job, info_), job, info_);
-  };
-  ++first.times;
-  if (said_at(first) == said_at(place)) return;
+void Rounds::Note(const DrawJob& job, const DrawOutcome& outcome, const Place& place) {
+  const Place first = first_.try_emplace(Spelled(job), place).first->second;
+  if (engine_.answers().Learn(job, outcome)) return;
   throw ChangedAnswer(fmt::format(
       "{}: line {}: request {} asks what request {} asked, and the answer differs from the one in "
       "{}, line {}: the program is not deterministic; let it draw the same again in the same way, "
@@ -238,29 +217,11 @@ void Rounds::Note(const DrawJob& job, const Place& place) {
       PathOf(first.round, "answers"), first.line));
 }
 
-std::optional<DrawOutcome> Rounds::Find(const DrawJob& job) const {
-  const auto it = known_.find(KeyOf(job));
-  if (it == known_.end()) return std::nullopt;
-  const Place& at = it->second;
-  AnswersText text(rounds_[at.round - 1].answers, at.begin, at.line);
-  return OutcomeAt(text, at.id, job, info_);
+std::string Rounds::Spelled(const DrawJob& job) const {
+  return HashText(subjects::RequestsText(1, {&job, 1}, engine_.answers().Info()));
 }
 
-int Rounds::TimesAnswered(const DrawJob& job) const {
-  const auto it = known_.find(KeyOf(job));
-  return it == known_.end() ? 0 : it->second.times;
-}
-
-void Rounds::Ask(const DrawJob& job) {
-  if (!is_asked_.insert(KeyOf(job)).second) return;
-  asked_.push_back(job);
-  asked_.back().onto = nullptr;
-  asked_samples_ += CoverageCounts::Size(job.scene->width, job.scene->height, job.samples);
-}
-
-bool Rounds::HasRoom() const { return asked_.size() < most_ && asked_samples_ < kMostSamples; }
-
-std::size_t Rounds::Write() {
+std::size_t Rounds::Write(std::span<const DrawJob> jobs) {
   io::MakeFolder(folder_);
   const std::string answers = PathOf(rounds_.size() + 1, "answers");
   if (std::filesystem::exists(answers)) {
@@ -268,42 +229,12 @@ std::size_t Rounds::Write() {
                      "remove it: it is of other rounds");
   }
   Round& round = rounds_.emplace_back();
-  const std::string requests = subjects::RequestsText(last_id_ + 1, asked_, info_);
-  round.requests = asked_.size();
+  const std::string requests = subjects::RequestsText(last_id_ + 1, jobs, engine_.answers().Info());
+  round.requests = jobs.size();
   round.hash_of_requests = HashText(requests);
   io::WriteFile(PathOf(rounds_.size(), "requests"), requests);
   WriteState();
   return rounds_.size();
-}
-
-namespace {
-
-DrawOutcome NotYet(AnswersOfRounds::Unanswered unanswered) {
-  const bool ends = unanswered == AnswersOfRounds::Unanswered::kEndsTheCall;
-  return {{}, {ends ? Stop::kTooSlow : Stop::kRefused, "it is not answered yet"}};
-}
-
-}  // namespace
-
-std::vector<DrawOutcome> AnswersOfRounds::DrawMany(std::span<const DrawJob> jobs) {
-  std::vector<DrawOutcome> outcomes;
-  for (const DrawJob& job : jobs) {
-    if (rounds_->TimesAnswered(job) < times_) rounds_->Ask(job);
-    std::optional<DrawOutcome> known = rounds_->Find(job);
-    if (!known) {
-      ++missed_;
-      known = guess_ ? guess_(job) : NotYet(unanswered_);
-    }
-    outcomes.push_back(*std::move(known));
-    DrawOutcome& outcome = outcomes.back();
-    if (outcome.end.stop == Stop::kNone && job.onto != nullptr) {
-      outcome.drawing.counts += *job.onto;
-    }
-  }
-  const auto ends = std::ranges::find_if(
-      outcomes, [](const DrawOutcome& outcome) { return EndsTheCall(outcome.end.stop); });
-  if (ends != outcomes.end()) outcomes.erase(ends + 1, outcomes.end());
-  return outcomes;
 }
 
 }  // namespace rasterproof::tool

@@ -14,12 +14,12 @@
 #include "core/suggestion.h"
 #include "fmt/format.h"
 #include "io/output.h"
+#include "lab/selftest/selftest.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
-#include "tool/selftest/selftest.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
@@ -68,14 +68,14 @@ std::vector<Task> TasksOf(const std::vector<subjects::MutantInfo>& chosen,
   return tasks;
 }
 
-HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
+lab::HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
   progress.Stage(fmt::format("{}, seed {}, cases", task.mutant.name, task.seed), 0, worker);
   props::CampaignOptions options;
   options.seed = task.seed;
   options.cases = task.cases;
   options.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
   const std::unique_ptr<Subject> subject = MakeSubject(task.mutant.name);
-  HuntResult result{task.mutant, task.seed, HuntBug(*subject, options)};
+  lab::HuntResult result{task.mutant, task.seed, lab::HuntBug(*subject, options)};
   progress.Stage("", 0, worker);
   return result;
 }
@@ -83,18 +83,18 @@ HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
 // Hunts each mutant and explains what was found. Nothing that it prints fails the run.
 int SelftestCauses(std::vector<subjects::MutantInfo> mutants, const SelftestOptions& options) {
   std::erase_if(mutants, [](const subjects::MutantInfo& mutant) { return mutant.legal; });
-  std::vector<CauseFound> causes(mutants.size());
+  std::vector<lab::CauseFound> causes(mutants.size());
   {
     Progress progress(static_cast<std::size_t>(options.jobs));
     const std::vector<std::size_t> order =
         OrderOfWork(options.jobs, mutants.size(), [](std::size_t) { return false; });
     ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
-      const HuntResult hunted =
+      const lab::HuntResult hunted =
           HuntOne({mutants[k], options.seed, options.cases}, progress, worker);
-      causes[k] = FindCauseOf(hunted, [&] { return MakeSubject(mutants[k].name); });
+      causes[k] = lab::FindCauseOf(hunted, [&] { return MakeSubject(mutants[k].name); });
     });
   }
-  io::WriteStandardOutput(CausesTable(causes));
+  io::WriteStandardOutput(lab::CausesTable(causes));
   return kExitHolds;
 }
 
@@ -107,7 +107,7 @@ int RunSelftest(const SelftestOptions& options) {
   if (options.causes) return SelftestCauses(chosen, options);
   const std::uint64_t legal_cases = std::max<std::uint64_t>(1, options.cases / kLegalShare);
   const std::vector<Task> tasks = TasksOf(chosen, options, legal_cases);
-  std::vector<HuntResult> results(tasks.size());
+  std::vector<lab::HuntResult> results(tasks.size());
   {
     Progress progress(static_cast<std::size_t>(options.jobs));
     // A variant runs to its end, which takes longer than to find a bug.
@@ -118,9 +118,9 @@ int RunSelftest(const SelftestOptions& options) {
     });
   }
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  io::WriteStandardOutput(SelftestText(results, options.cases, legal_cases, seconds));
-  if (!options.json.empty()) io::WriteFile(options.json, SelftestJson(results));
-  return std::ranges::all_of(results, &HuntResult::AsItShould) ? kExitHolds : kExitViolated;
+  io::WriteStandardOutput(lab::SelftestText(results, options.cases, legal_cases, seconds));
+  if (!options.json.empty()) io::WriteFile(options.json, lab::SelftestJson(results));
+  return std::ranges::all_of(results, &lab::HuntResult::AsItShould) ? kExitHolds : kExitViolated;
 }
 
 }  // namespace rasterproof::tool

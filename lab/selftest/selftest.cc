@@ -1,4 +1,4 @@
-#include "tool/selftest/selftest.h"
+#include "lab/selftest/selftest.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -185,4 +185,4 @@ std::string SelftestJson(const std::vector<HuntResult>& results) {
   return json.EndArray().EndObject().Finish();
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

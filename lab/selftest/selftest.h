@@ -1,6 +1,6 @@
 // Runs the properties on a mutant, a few cases at a time, until one of them finds the bug.
-#ifndef RASTERPROOF_TOOL_SELFTEST_SELFTEST_H_
-#define RASTERPROOF_TOOL_SELFTEST_SELFTEST_H_
+#ifndef RASTERPROOF_LAB_SELFTEST_SELFTEST_H_
+#define RASTERPROOF_LAB_SELFTEST_SELFTEST_H_
 
 #include <cstdint>
 #include <optional>
@@ -14,7 +14,7 @@
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// What a hunt ended with.
 struct Hunt {
@@ -63,6 +63,6 @@ std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t c
 /// The same as JSON.
 std::string SelftestJson(const std::vector<HuntResult>& results);
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SELFTEST_SELFTEST_H_
+#endif  // RASTERPROOF_LAB_SELFTEST_SELFTEST_H_

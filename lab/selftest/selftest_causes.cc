@@ -62,9 +62,10 @@ std::string FiguresLine(std::string_view half, const Figures& f) {
 
 }  // namespace
 
-CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make) {
+CauseFound FindCauseOf(const HuntResult& result) {
   CauseFound found{.mutant = result.mutant};
   if (!result.hunt.violation) return found;
+  const auto make = [&] { return subjects::MakeMutant(result.mutant.name); };
   const auto failed = props::FailedBy(*result.hunt.violation, make()->Info());
   if (!failed) return found;
   const props::Explanation explanation = props::Explain(make, {&*failed, 1}, kLongestSearch);

@@ -201,7 +201,7 @@ TEST(Selftest, SaysWhatSurvivesAndWhatIsNotLegal) {
   wronged.hunt.violation.emplace();
   wronged.hunt.violation->property = "SomeProperty";
   EXPECT_FALSE(wronged.AsItShould());
-  const std::string text = lab::SelftestText({survivor, wronged}, 10, 1, 0);
+  const std::string text = lab::SelftestText({survivor, wronged}, 10, 0);
   EXPECT_NE(text.find("| shy | it hides | **survived** |"), std::string::npos) << text;
   EXPECT_NE(text.find("0 of 1 killed"), std::string::npos) << text;
   EXPECT_NE(text.find("legal:wronged under seed 1 violates SomeProperty"), std::string::npos)

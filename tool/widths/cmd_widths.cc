@@ -18,6 +18,7 @@
 #include "exact/edge_widths.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
+#include "io/json_writer.h"
 #include "io/output.h"
 #include "lab/widths/widths.h"
 #include "tool/exit_status.h"
@@ -44,9 +45,10 @@ std::optional<std::pair<int, int>> TwoNumbers(std::string_view text, char mark) 
 
 // A name or a list, as the profile key sample_locations has it.
 SamplePattern PatternOf(const std::string& samples) {
-  const std::string value = samples.starts_with('[') ? samples : '"' + samples + '"';
-  const std::string profile = R"({"name": "widths", "sample_locations": )" + value + "}";
-  return io::ParseProfile(profile, "--samples").pattern;
+  io::JsonWriter json;
+  json.BeginObject(io::kOneLine).Key("name").Text("widths").Key("sample_locations");
+  samples.starts_with('[') ? json.Value(samples) : json.Text(samples);
+  return io::ParseProfile(json.EndObject().json(), "--samples").pattern;
 }
 
 exact::EdgeUnit UnitOf(const WidthsOptions& options) {

@@ -4,12 +4,12 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "core/result.h"
 #include "core/subject_info.h"
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
+#include "tool/check/findings.h"
 
 namespace rasterproof::tool {
 
@@ -25,12 +25,11 @@ std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
 std::string NameOfCause(const props::Cause& cause);
 
 /// What was found, without its section: "your answers equal those of ...".
-std::string CauseText(const props::Cause& cause, const props::Explanation& explanation);
+std::string CauseText(const props::Cause& cause, const props::Causes& causes);
 
 /// A line for each cause, with the properties that it explains, and a line with their numbers.
 /// Empty without causes.
-std::string CausesText(const props::Explanation& explanation,
-                       const std::vector<props::FailedProperty>& failures);
+std::string CausesText(const Findings& found);
 
 }  // namespace rasterproof::tool
 

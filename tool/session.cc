@@ -72,8 +72,8 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
   return counts;
 }
 
-CoverageCounts ShownBy(Subject& subject, const Scene& scene, CoverageCounts counts) {
-  const bool as_shown = props::IsJudgedAsShown(subject.Info(), scene);
+CoverageCounts ShownBy(const SubjectInfo& subject, const Scene& scene, CoverageCounts counts) {
+  const bool as_shown = props::IsJudgedAsShown(subject, scene);
   return as_shown ? props::AsShown(std::move(counts)) : counts;
 }
 

@@ -59,7 +59,7 @@ CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& opt
 
 /// What a draw of the scene by the subject can show of these counts: whether a sample is covered
 /// where the draw is judged as it is shown (props/judging/as_shown.h), else all of it.
-CoverageCounts ShownBy(Subject& subject, const Scene& scene, CoverageCounts counts);
+CoverageCounts ShownBy(const SubjectInfo& subject, const Scene& scene, CoverageCounts counts);
 
 /// Draws, or gives nothing if the subject breaks down over it; then `reason` says how.
 std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& scene,

@@ -68,10 +68,10 @@ CauseFound FindCauseOf(const HuntResult& result) {
   const auto make = [&] { return subjects::MakeMutant(result.mutant.name); };
   const auto failed = props::FailedBy(*result.hunt.violation, make()->Info());
   if (!failed) return found;
-  const props::Explanation explanation = props::Explain(make, {&*failed, 1}, kLongestSearch);
+  const props::Causes causes = props::FindCauses(make, {&*failed, 1}, kLongestSearch);
   found.property = failed->property->name;
-  if (explanation.causes.empty()) return found;
-  const props::Cause& cause = explanation.causes.front();
+  if (causes.all.empty()) return found;
+  const props::Cause& cause = causes.all.front();
   found.name = cause.name;
   found.is_circumstance = cause.kind == props::CauseKind::kCircumstance;
   found.what = fmt::format("{}", fmt::join(cause.what, " / "));

@@ -71,7 +71,8 @@ std::optional<FailedProperty> FailedBy(const PropertyResult& result, const Subje
   if (found.verdict.outcome != Outcome::kViolated || found.verdict.broke_down) return std::nullopt;
   FailedProperty failure{FindProperty(result.property), {found.value}};
   if (failure.property == nullptr) return std::nullopt;
-  if (found.value.name) failure.cases.push_back(DrawCase(subject, *found.value.name));
+  if (found.value.name && !found.failing_case.empty())
+    failure.cases.push_back(DrawCase(subject, *found.value.name));
   return failure;
 }
 

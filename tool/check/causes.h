@@ -3,10 +3,10 @@
 #define RASTERPROOF_TOOL_CHECK_CAUSES_H_
 
 #include <string>
-#include <vector>
 
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
+#include "tool/check/findings.h"
 
 namespace rasterproof::tool {
 
@@ -14,12 +14,11 @@ namespace rasterproof::tool {
 std::string NameOfCause(const props::Cause& cause);
 
 /// What was found, without its section: "your answers equal those of ...".
-std::string CauseText(const props::Cause& cause, const props::Explanation& explanation);
+std::string CauseText(const props::Cause& cause, const props::Causes& causes);
 
 /// A line for each cause, with the properties that it explains, and a line with their numbers.
 /// Empty without causes.
-std::string CausesText(const props::Explanation& explanation,
-                       const std::vector<props::FailedProperty>& failures);
+std::string CausesText(const Findings& found);
 
 }  // namespace rasterproof::tool
 

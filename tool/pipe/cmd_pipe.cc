@@ -187,23 +187,6 @@ class Answering final : public FarEnd {
   AnswerLines lines_;
 };
 
-// The counts of one drawing, whatever is asked: for the picture of a failure.
-class Shown final : public Subject {
- public:
-  Shown(const SubjectInfo& info, CoverageCounts counts) : info_(info), counts_(std::move(counts)) {
-    info_.coverage = CoverageKind::kFacingCounts;
-  }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& /*scene*/, const DrawOptions& /*options*/,
-            CoverageCounts& counts) override {
-    if (counts.size() == counts_.size()) counts += counts_;
-  }
-
- private:
-  SubjectInfo info_;
-  CoverageCounts counts_;
-};
-
 // The answers to all that is asked about a case: to every check, whatever comes of those before it,
 // and to the draw of the whole case, which the picture of a failure shows.
 struct AllAnswers {
@@ -384,10 +367,11 @@ int RunJudge(const PipeOptions& options) {
         choice.property = property.name;
         choice.profile = options.profile;
         choice.name = c.origin;
-        Shown shown(info, all.of_picture.draws.empty() ? CoverageCounts()
-                                                       : all.of_picture.draws.front()->counts);
-        failures = FailureText(shown, choice.property, c, verdict, CommandFor("replay", choice),
-                               /*colour=*/false) +
+        Verdict seen = verdict;
+        if (!seen.seen && !all.of_picture.draws.empty()) seen.seen = all.of_picture.draws.front();
+        SubjectInfo shown = info;
+        shown.coverage = CoverageKind::kFacingCounts;
+        failures = FailureText(shown, choice.property, c, seen, CommandFor("replay", choice)) +
                    ShrinkLine(options, c.origin);
       }
     }

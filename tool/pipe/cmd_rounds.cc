@@ -119,10 +119,8 @@ class ShrinkAhead {
     subject_.AskUpTo(kConfirmed);
     props::TryCase(subject_, property_, smallest);
     subject_.AskUpTo(1);
-    const Verdict verdict = props::RunCase(subject_, property_, smallest);
-    if (verdict.outcome == Outcome::kViolated) {
-      FailureText(subject_, std::string(property_.name), smallest, verdict, "", false);
-    }
+    Verdict verdict = props::RunCase(subject_, property_, smallest);
+    if (verdict.outcome == Outcome::kViolated) SeeIfItCan(subject_, smallest, verdict);
     subject_.Take(AnswersOfRounds::Unanswered::kEndsTheCall);
   }
 

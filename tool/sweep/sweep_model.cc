@@ -15,7 +15,7 @@
 #include "props/placed_case.h"
 #include "props/property.h"
 #include "props/run/description.h"
-#include "tool/resolve.h"
+#include "tool/resolve_case.h"
 
 namespace rasterproof::tool {
 namespace {

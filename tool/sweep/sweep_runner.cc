@@ -23,7 +23,7 @@
 #include "props/run/campaign.h"
 #include "subjects/process/process.h"
 #include "tool/description.h"
-#include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {

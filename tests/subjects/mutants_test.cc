@@ -17,14 +17,12 @@
 #include <vector>
 
 #include "core/coverage.h"
-#include "core/error.h"
 #include "lab/selftest/selftest.h"
 #include "props/cause/cause.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tests/share.h"
 #include "tests/subjects/conformance_baseline.h"
-#include "tool/resolve.h"
 
 namespace rasterproof {
 namespace {
@@ -38,14 +36,13 @@ TEST(Mutants, HaveNamesOfTheirOwnUnderWhichTheyAreMade) {
     EXPECT_TRUE(names.insert(mutant.name).second) << mutant.name;
     EXPECT_TRUE(mutant.name.starts_with(mutant.legal ? "legal:" : "mutant:")) << mutant.name;
     EXPECT_FALSE(mutant.change.empty()) << mutant.name;
-    const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
     EXPECT_EQ(subject->Info().name, mutant.name);
     EXPECT_EQ(subject->Info().summary, mutant.change);
     EXPECT_TRUE(subject->Info().proofs.empty()) << mutant.name;
     EXPECT_FALSE(subject->Info().states_exact) << mutant.name;
   }
   EXPECT_EQ(subjects::MakeMutant("mutant:none-such"), nullptr);
-  EXPECT_THROW(tool::MakeSubject("mutant:none-such"), InputError);
 }
 
 TEST(Mutants, HaveCausesThatTheDocumentHas) {
@@ -68,7 +65,7 @@ TEST(Mutants, AreFoundByTheCatalogueInASample) {
   std::size_t number = 0;
   for (const MutantInfo& mutant : Mutants()) {
     if (mutant.legal || number++ % kEvery != 0) continue;
-    const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
     const lab::Hunt hunt = lab::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
     EXPECT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
   }
@@ -78,7 +75,7 @@ TEST(Mutants, OfFloatingPointModesAreFoundThereAndNowhereElse) {
   std::size_t found = 0;
   for (const MutantInfo& mutant : Mutants()) {
     if (!mutant.name.starts_with("mutant:mode-")) continue;
-    const std::unique_ptr<Subject> subject = tool::MakeSubject(mutant.name);
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
     const lab::Hunt hunt = lab::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
     ASSERT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
     EXPECT_EQ(hunt.violation->property, "EnvironmentKeepsCoverage") << mutant.name;
@@ -155,7 +152,7 @@ TEST(LegalVariants, KeepTheirProfilesInASample) {
   std::size_t number = 0;
   for (const MutantInfo& variant : Mutants()) {
     if (!variant.legal || number++ % kEvery != 0) continue;
-    const std::unique_ptr<Subject> subject = tool::MakeSubject(variant.name);
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(variant.name);
     const lab::Hunt hunt = lab::HuntBug(*subject, {.seed = 11, .cases = cases});
     EXPECT_FALSE(hunt.violation.has_value())
         << variant.name << ": " << hunt.violation->property << ", " << hunt.violation->message;

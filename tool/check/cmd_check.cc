@@ -51,10 +51,11 @@
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/known_failures.h"
-#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/session.h"
+#include "tool/subject_kinds.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {

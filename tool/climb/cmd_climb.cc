@@ -20,6 +20,7 @@
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {

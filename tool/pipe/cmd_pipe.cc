@@ -39,9 +39,10 @@
 #include "tool/failure.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
-#include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/session.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -33,6 +33,7 @@
 #include "tool/failure.h"
 #include "tool/infer/cmd_infer.h"
 #include "tool/infer/infer_text.h"
+#include "tool/load_case.h"
 #include "tool/outside.h"
 #include "tool/pipe/cmd_pipe.h"
 #include "tool/pipe/rounds.h"

@@ -105,7 +105,7 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
                    "Draw cases for this profile, not for the subject's own");
   AddCampaign(verb, options.campaign, "domain");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
-  verb->add_option("--save", options.save, "Folder for the first case of each kind, shrunk");
+  verb->add_option("--save", options.save, "Folder for the worst case of each cell that fails");
   AddJobs(verb, options.jobs, "Domains");
   verb->callback([&run] { run = [] { return UntilInterrupted(RunSurvey, options); }; });
 }

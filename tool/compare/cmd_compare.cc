@@ -64,7 +64,9 @@ class Asked {
       scene.path = path;
       scenes_.push_back(LoadScene(scene));
     }
-    if (scenes_.empty()) families_ = FamiliesNamed(options.families);
+    if (scenes_.empty() || !options.families.empty()) {
+      families_ = FamiliesNamed(options.families);
+    }
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       static constexpr props::Theme kScenes{"scenes", "It covers what exact geometry covers."};
       families_.push_back({options.scenes[k], "", &kScenes, nullptr, nullptr, &scenes_[k]});
@@ -79,7 +81,7 @@ class Asked {
     if (by_modes) {
       table.what = "modes";
       table.one = "mode";
-    } else if (!scenes_.empty()) {
+    } else if (scenes_.size() == families_.size()) {
       table.what = "scenes";
       table.one = "scene";
     }

@@ -68,19 +68,15 @@ std::string SaveCommand(const ComparisonTable& table, const ComparedRow& family,
       family.name, subject, table.seed, table.cases);
 }
 
-std::string LinkTo(const std::string& page, const std::string& title, const std::string& name) {
-  return fmt::format("<a href=\"{}\" title=\"{}\">{}</a>", Escaped(page), Escaped(title),
-                     Escaped(name));
-}
-
 // Names lead to pages, where there are any: `folders` of subjects.
 std::string MatrixHead(const ComparisonTable& table, const std::vector<std::string>& folders) {
-  std::string html = fmt::format("<thead><tr><th>{}</th>", table.one);
+  std::string html = fmt::format("<thead><tr><th>{}</th>", Escaped(table.one));
   for (std::size_t k = 0; k < table.subjects.size(); ++k) {
     const std::string& name = table.subjects[k].name;
-    html += fmt::format(
-        "<th class=\"number\"><span class=\"upright\">{}</span></th>",
-        folders.empty() ? Escaped(name) : LinkTo(folders[k] + "/report.html", name, name));
+    html += fmt::format("<th class=\"number\"><span class=\"upright\">{}</span></th>",
+                        folders.empty() ? Escaped(name)
+                                        : fmt::format("<a href=\"{}/report.html\">{}</a>",
+                                                      Escaped(folders[k]), Escaped(name)));
   }
   return html + "</tr></thead>";
 }
@@ -96,10 +92,12 @@ std::string Matrix(const ComparisonTable& table, const std::vector<std::string>&
       html += fmt::format("<tbody><tr><th colspan=\"{}\"><b>{}</b>: {}</th></tr>\n",
                           table.subjects.size() + 1, Escaped(theme), Escaped(family.right));
     }
-    html += fmt::format(
-        "<tr><th class=\"name\">{}</th>",
-        folders.empty() ? Escaped(family.name)
-                        : LinkTo(FamilyPagePath(family) + ".html", family.summary, family.name));
+    html +=
+        fmt::format("<tr><th class=\"name\">{}</th>",
+                    folders.empty() ? Escaped(family.name)
+                                    : fmt::format("<a href=\"{}\" title=\"{}\">{}</a>",
+                                                  Escaped(FamilyPagePath(family) + ".html"),
+                                                  Escaped(family.summary), Escaped(family.name)));
     for (const ComparedSubject& subject : table.subjects) {
       html += "<td class=\"number\">";
       for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
@@ -161,12 +159,7 @@ std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& 
   }
   std::string text =
       fmt::format("{}, seed {}, {} cases each\n", subject.name, table.seed, table.cases);
-  const auto add_facts = [&text](const Facts& facts, std::size_t column) {
-    for (const auto& [name, value] : facts) {
-      text += fmt::format("{:{}}{}: {}\n", "", column, name, value);
-    }
-  };
-  add_facts(subject.facts, 2);
+  for (const auto& [name, value] : subject.facts) text += fmt::format("  {}: {}\n", name, value);
   text += fmt::format("{:{}}", "", name_width + 2);
   const auto end_line = [&text] {
     text.resize(text.find_last_not_of(' ') + 1);
@@ -191,8 +184,10 @@ std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& 
       if (cell.ended != 0 && why.empty()) why = cell.why;
     }
     end_line();
+    for (const auto& [name, value] : row.facts) {
+      why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name, value);
+    }
     if (!why.empty()) text += fmt::format("{:{}}{}\n", "", name_width + 3, why);
-    add_facts(row.facts, name_width + 3);
   }
   return CleanText(text + "\n" + SummaryLine(table, subject));
 }

@@ -16,10 +16,13 @@
 #include <vector>
 
 #include "core/call_end.h"
+#include "core/comparison.h"
 #include "fmt/format.h"
-#include "io/json_writer.h"
+#include "fmt/ranges.h"
 #include "io/output.h"
+#include "report/comparison.h"
 #include "report/text.h"
+#include "tool/compare/comparison.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/interrupt.h"
@@ -239,107 +242,67 @@ std::string FirstChange(const SweepRunner& runner, const SweepRow& row) {
                      base->counts.front[change.sample] + base->counts.back[change.sample]);
 }
 
-std::string BlameText(const SweepBlame& blame) {
-  std::string text = blame.file.empty() ? "" : "file " + blame.file;
-  if (!blame.function.empty()) text += ", function " + blame.function;
-  if (blame.remark.empty()) return text;
-  return blame.function.empty() ? blame.remark : text + "; " + blame.remark;
+// What the build draws beside the base, or why it draws nothing.
+Cell CellOf(const SweepRow& row) {
+  if (row.IsDrawn()) return row.outcome.cell;
+  Cell cell;
+  cell.why = row.Note();
+  if (row.note.empty() && row.outcome.is_breakdown) {
+    cell.cases = cell.wrong = cell.ended = 1;
+  } else {
+    cell.excused = 1;
+  }
+  return cell;
 }
 
-std::string Table(const SweepRunner& runner, const Sweep& sweep) {
-  std::string text = fmt::format("{:>8} {:>6} {:<6}build\n", "samples", "cases", "group");
-  for (const SweepRow& row : sweep.rows()) {
+void AddFact(const std::string& name, const std::string& value, Facts& facts) {
+  if (!value.empty()) facts.emplace_back(name, value);
+}
+
+Facts FactsOf(const SweepRunner& runner, const Sweep& sweep, std::size_t k) {
+  const SweepRow& row = sweep.rows()[k];
+  Facts facts;
+  if (!row.outcome.is_breakdown) AddFact("note", row.Note(), facts);
+  if (!row.IsDrawn()) return facts;
+  AddFact("first", FirstChange(runner, row), facts);
+  for (const auto& [minimal, rows, blame] : sweep.differences()) {
+    if (std::ranges::find(rows, k) == rows.end()) continue;
+    AddFact("flags", ChoicesText(minimal), facts);
+    AddFact("file", blame.file, facts);
+    AddFact("function", blame.function, facts);
+    AddFact("remark", blame.remark, facts);
+  }
+  return facts;
+}
+
+// The builds, those that draw alike side by side, by the base and by the model.
+ComparisonTable TableOf(const SweepRunner& runner, const Sweep& sweep, std::uint64_t seed) {
+  ComparisonTable table{
+      .what = "builds",
+      .one = "build",
+      .seed = seed,
+      .cases = runner.cases().size(),
+      .yardsticks = {"base", "model"},
+      .rows = {},
+      .subjects = {{fmt::format("{}", fmt::join(runner.settings().sources, " ")), {}}}};
+  std::vector<std::size_t> order(sweep.rows().size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t k) {
+    return sweep.rows()[k].IsDrawn() ? sweep.rows()[k].group : order.size();
+  });
+  for (const std::size_t k : order) {
+    const SweepRow& row = sweep.rows()[k];
     const bool is_drawn = row.IsDrawn();
-    text += fmt::format("{:>8} {:>6} {:<6}{}",
-                        is_drawn ? std::to_string(row.outcome.changes.size()) : "-",
-                        is_drawn ? std::to_string(row.outcome.cell.wrong) : "-",
-                        is_drawn ? GroupName(row.group) : "-", BuildName(row.build.choices));
-    if (const std::string note = row.Note(); !note.empty()) text += "  [" + note + "]";
-    if (const std::string first = FirstChange(runner, row); is_drawn && !first.empty()) {
-      text += "\n" + std::string(23, ' ') + "first: " + first;
-    }
-    text += "\n";
+    table.rows.push_back({BuildName(row.build.choices), ChoicesText(row.build.choices),
+                          is_drawn ? "group " + GroupName(row.group) : "no group",
+                          is_drawn ? "These draw alike." : "These do not draw every case.",
+                          FactsOf(runner, sweep, k)});
+    table.subjects.front().cells.push_back(
+        {CellOf(row),
+         is_drawn && row.group < sweep.distances().size() ? sweep.distances()[row.group] : Cell{}});
   }
-  return text;
-}
-
-std::string GroupsText(const Sweep& sweep) {
-  std::string text;
-  for (std::size_t group = 0; group < sweep.distances().size(); ++group) {
-    text += fmt::format("{}:", GroupName(group));
-    std::string_view before = " ";
-    std::size_t builds = 0;
-    for (const SweepRow& row : sweep.rows()) {
-      if (!row.IsDrawn() || row.group != group) continue;
-      ++builds;
-      const std::string choices = ChoicesText(row.build.choices);
-      text += fmt::format("{}{}", std::exchange(before, ", "), choices.empty() ? "base" : choices);
-    }
-    text += fmt::format("\n   {} {}: {}\n", builds, builds == 1 ? "build" : "builds",
-                        DistanceText(sweep.distances()[group]));
-  }
-  return text;
-}
-
-std::string DifferencesText(const Sweep& sweep) {
-  std::string text;
-  for (const Difference& difference : sweep.differences()) {
-    text += fmt::format("{}\n  changes samples by itself, in {} of the builds above: {}\n",
-                        ChoicesText(difference.minimal), difference.rows.size(),
-                        BlameText(difference.blame));
-  }
-  return text;
-}
-
-void AddRow(io::JsonWriter& json, const SweepRunner& runner, const SweepRow& row) {
-  json.BeginObject().Key("build").Text(BuildName(row.build.choices));
-  json.Key("compiler").Text(ToolchainOf(row.build.choices).c);
-  json.Key("changes").Text(ChoicesText(row.build.choices));
-  json.Key("drawn").Bool(row.IsDrawn());
-  if (row.IsDrawn()) {
-    json.Key("samples").Integer(row.outcome.changes.size());
-    json.Key("cases").Integer(row.outcome.cell.wrong);
-    json.Key("group").Text(GroupName(row.group));
-    json.Key("first").Text(FirstChange(runner, row));
-  }
-  json.Key("note").Text(row.Note()).EndObject();
-}
-
-void AddGroup(io::JsonWriter& json, std::size_t group, const Cell& distance) {
-  json.BeginObject().Key("name").Text(GroupName(group));
-  json.Key("samples").Integer(distance.samples).Key("cases").Integer(distance.cases);
-  json.Key("samples_away").Integer(distance.wrong_samples);
-  json.Key("cases_away").Integer(distance.wrong);
-  json.Key("cases_not_judged").Integer(distance.excused);
-  json.Key("why_not").Text(distance.why).EndObject();
-}
-
-std::string Json(const SweepRunner& runner, const Sweep& sweep, const SweepOptions& options) {
-  io::JsonWriter json;
-  json.BeginObject().Key("sources").BeginArray();
-  for (const std::string& source : options.sources) json.Text(source);
-  json.EndArray().Key("cflags").Text(options.cflags);
-  json.Key("seed").Integer(options.seed).Key("cases").Integer(options.cases);
-  json.Key("builds").BeginArray();
-  for (const SweepRow& row : sweep.rows()) AddRow(json, runner, row);
-  json.EndArray().Key("groups").BeginArray();
-  for (std::size_t group = 0; group < sweep.distances().size(); ++group) {
-    AddGroup(json, group, sweep.distances()[group]);
-  }
-  json.EndArray().Key("differences").BeginArray();
-  for (const Difference& difference : sweep.differences()) {
-    json.BeginObject().Key("flags").Text(ChoicesText(difference.minimal));
-    json.Key("file").Text(difference.blame.file);
-    json.Key("function").Text(difference.blame.function);
-    json.Key("remark").Text(difference.blame.remark);
-    json.Key("builds").BeginArray();
-    for (const std::size_t row : difference.rows) {
-      json.Text(BuildName(sweep.rows()[row].build.choices));
-    }
-    json.EndArray().EndObject();
-  }
-  json.EndArray().EndObject();
-  return json.Finish();
+  table.subjects.front().cells.front().front().cases = table.cases;  // the base by itself
+  return table;
 }
 
 }  // namespace
@@ -361,24 +324,11 @@ int RunSweep(const SweepOptions& options) {
   }
   Sweep sweep(runner, options.jobs);
   sweep.Run(builds);
-  const auto is_drawn = [](const SweepRow& row) { return row.IsDrawn(); };
-  const auto is_stopped = [](const SweepRow& row) {
-    return row.note.empty() && row.outcome.is_breakdown;
-  };
-  const auto differs = [](const SweepRow& row) { return row.IsDrawn() && row.Differs(); };
-  const auto drawn = std::ranges::count_if(sweep.rows(), is_drawn);
-  const auto differing = std::ranges::count_if(sweep.rows(), differs);
-  const auto stopped = std::ranges::count_if(sweep.rows(), is_stopped);
-  std::string summary =
-      fmt::format("{} of {} builds draw other samples than the base in {} cases, seed {}\n",
-                  differing, drawn, options.cases, options.seed);
-  if (stopped != 0) summary += fmt::format("{} builds do not draw every case\n", stopped);
-  if (options.json != "-") {
-    io::WriteStandardOutput(report::CleanText(Table(runner, sweep) + "\n" + GroupsText(sweep) +
-                                              "\n" + DifferencesText(sweep) + summary));
-  }
-  if (!options.json.empty()) io::WriteOutput(options.json, Json(runner, sweep, options));
-  return differing + stopped == 0 ? kExitHolds : kExitViolated;
+  const ComparisonTable table = TableOf(runner, sweep, options.seed);
+  TellNewest(table, {}, options.json, "");
+  if (!options.json.empty()) io::WriteOutput(options.json, report::ComparisonToJson(table));
+  const auto fails = [](const std::vector<Cell>& cells) { return cells.front().Fails(); };
+  return std::ranges::any_of(table.subjects.front().cells, fails) ? kExitViolated : kExitHolds;
 }
 
 }  // namespace rasterproof::tool

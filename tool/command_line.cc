@@ -339,8 +339,13 @@ std::string NearestMeant(const CLI::App& app, const std::string& error) {
   if (option == std::string::npos || error.find("not expected") == std::string::npos) return "";
   std::vector<std::string> names;
   for (const CLI::App* verb = &app; verb != nullptr;) {
-    for (const CLI::Option* one : verb->get_options()) {
-      for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+    std::vector<const CLI::App*> groups =
+        verb->get_subcommands([](const CLI::App* one) { return one->get_name().empty(); });
+    groups.push_back(verb);
+    for (const CLI::App* group : groups) {
+      for (const CLI::Option* one : group->get_options()) {
+        for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+      }
     }
     const std::vector<CLI::App*> next = verb->get_subcommands();
     verb = next.empty() ? nullptr : next.front();

@@ -6,7 +6,6 @@
 
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "props/run/property_domains.h"
 #include "tool/check/findings.h"
 
 namespace rasterproof::tool {
@@ -67,21 +66,6 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
 }
 
 }  // namespace
-
-bool IsWrong(const Verdict& verdict) {
-  return verdict.outcome == Outcome::kViolated && !verdict.broke_down;
-}
-
-std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
-                                              const SubjectInfo& subject) {
-  if (result.outcome != Outcome::kViolated || !result.counterexample) return std::nullopt;
-  const Counterexample& found = *result.counterexample;
-  if (!IsWrong(found.verdict)) return std::nullopt;
-  props::FailedProperty failure{props::FindProperty(result.property), {found.value}};
-  if (failure.property == nullptr) return std::nullopt;
-  if (found.value.name) failure.cases.push_back(props::DrawCase(subject, *found.value.name));
-  return failure;
-}
 
 std::string NameOfCause(const Cause& cause) { return cause.name.empty() ? "none" : cause.name; }
 

@@ -224,7 +224,7 @@ Finding FindingOf(Subject& subject, PropertyResult result, const CheckOptions& o
       Shown(subject, finding.result.property, found.value, found.verdict, choice, options);
   finding.failure->AddName(found.failing_case);
   if (IsFailure(finding.result, options.fail_on))
-    finding.failure->failed = FailedBy(finding.result, subject.Info());
+    finding.failure->failed = props::FailedBy(finding.result, subject.Info());
   return finding;
 }
 
@@ -279,7 +279,7 @@ Finding AskOfGiven(Subject& subject, const props::Property& property, const Give
   CaseChoice choice;
   (given.name ? choice.name : choice.path) = given.place;
   finding.failure = Shown(subject, result.property, c, verdict, choice, options);
-  if (IsWrong(verdict) && IsFailure(result, options.fail_on))
+  if (!verdict.broke_down && IsFailure(result, options.fail_on))
     finding.failure->failed = {&property, {c}};
   return finding;
 }

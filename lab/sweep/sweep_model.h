@@ -1,16 +1,16 @@
 // How far what builds draw is from the model of the profile that their sources state.
-#ifndef RASTERPROOF_TOOL_SWEEP_SWEEP_MODEL_H_
-#define RASTERPROOF_TOOL_SWEEP_SWEEP_MODEL_H_
+#ifndef RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_
+#define RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_
 
 #include <vector>
 
 #include "core/case.h"
 #include "core/comparison.h"
 #include "core/subject_info.h"
+#include "lab/sweep/sweep_runner.h"
 #include "props/compare/compare.h"
-#include "tool/sweep/sweep_runner.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// What a profile lets one call with all of a case show, sample by sample (legal/allowed.h), ready
 /// for any drawing. It convicts less than `check`, which asks one model to explain all samples.
@@ -21,6 +21,6 @@ props::Judging ModelOfCase(const SubjectInfo& info, const Case& given);
 Cell DistanceFromModel(const SweepRunner& runner, const SweepOutcome& outcome,
                        const std::vector<props::Judging>& models);
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_SWEEP_MODEL_H_
+#endif  // RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_

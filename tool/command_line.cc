@@ -108,7 +108,7 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
                    "Draw cases for this profile, not for the subject's own");
   AddCampaign(verb, options.campaign, "domain");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
-  verb->add_option("--save", options.save, "Folder for the first case of each kind, shrunk");
+  verb->add_option("--save", options.save, "Folder for the worst case of each cell that fails");
   AddJobs(verb, options.jobs, "Domains");
   verb->callback([&run] { run = [] { return UntilInterrupted(RunSurvey, options); }; });
 }
@@ -342,8 +342,13 @@ std::string NearestMeant(const CLI::App& app, const std::string& error) {
   if (option == std::string::npos || error.find("not expected") == std::string::npos) return "";
   std::vector<std::string> names;
   for (const CLI::App* verb = &app; verb != nullptr;) {
-    for (const CLI::Option* one : verb->get_options()) {
-      for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+    std::vector<const CLI::App*> groups =
+        verb->get_subcommands([](const CLI::App* one) { return one->get_name().empty(); });
+    groups.push_back(verb);
+    for (const CLI::App* group : groups) {
+      for (const CLI::Option* one : group->get_options()) {
+        for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+      }
     }
     const std::vector<CLI::App*> next = verb->get_subcommands();
     verb = next.empty() ? nullptr : next.front();

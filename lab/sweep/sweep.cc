@@ -154,18 +154,4 @@ std::vector<std::size_t> Sweep::CasesOf(const Choices& minimal) {
   return cases;
 }
 
-std::size_t Sweep::Drawn() const {
-  return static_cast<std::size_t>(std::ranges::count_if(rows_, &SweepRow::IsDrawn));
-}
-
-std::size_t Sweep::Differing() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      rows_, [](const SweepRow& row) { return row.IsDrawn() && row.Differs(); }));
-}
-
-std::size_t Sweep::Stopped() const {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      rows_, [](const SweepRow& row) { return row.note.empty() && row.outcome.is_breakdown; }));
-}
-
 }  // namespace rasterproof::lab

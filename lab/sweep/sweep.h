@@ -60,11 +60,6 @@ class Sweep {
   const std::vector<Difference>& differences() const { return differences_; }
   /// Of each group from the model; the base's is the first.
   const std::vector<Cell>& distances() const { return distances_; }
-  /// How many rows are drawn, how many of them differ from the base, and how many builds do not
-  /// draw every case.
-  std::size_t Drawn() const;
-  std::size_t Differing() const;
-  std::size_t Stopped() const;
 
  private:
   void InParallel(std::size_t first, std::size_t count, const std::string& what,

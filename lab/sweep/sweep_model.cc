@@ -9,8 +9,8 @@
 #include "core/drawing.h"
 #include "core/profile.h"
 #include "core/verdict.h"
-#include "fmt/format.h"
 #include "legal/allowed.h"
+#include "props/compare/yardsticks.h"
 #include "props/judging/gate.h"
 #include "props/placed_case.h"
 #include "props/property.h"
@@ -55,13 +55,14 @@ Drawing Changed(Drawing drawing, const std::vector<ChangedSample>& changes, std:
 props::Judging ModelOfCase(const SubjectInfo& info, const Case& given) {
   Case whole = given;
   whole.options = {};
-  const props::PlacedCase c = props::Place(whole, true);
+  const auto placed = std::make_shared<const props::PlacedCase>(props::Place(whole, true));
+  const props::PlacedCase& c = *placed;
   if (std::string why = WhyNotJudged(info, whole, c); !why.empty()) return {std::move(why)};
   legal::Sight sight{.coverage = info.coverage};
   if (ShowsPrimitiveIds(info)) sight.ids = info.fragments.visible;
   const legal::Allowed allowed(c, sight);
-  return {allowed.why_not(), [allowed](const props::Drawn& drawn) {
-            return props::Reading{.wrong = allowed.Wrong(*drawn.drawing)};
+  return {allowed.why_not(), [allowed, placed](const props::Drawn& drawn) {
+            return props::Measured(*placed, drawn.drawing->counts, allowed.Wrong(*drawn.drawing));
           }};
 }
 
@@ -80,18 +81,6 @@ Cell DistanceFromModel(const SweepRunner& runner, const SweepOutcome& outcome,
       }};
   return props::CompareRow(row, {{[&](const props::CaseAtHand& at) { return models[at.index]; }}})
       .front();
-}
-
-std::string DistanceText(const Cell& distance) {
-  if (distance.cases == 0) return fmt::format("not compared with the model: {}", distance.why);
-  std::string text =
-      fmt::format("{} of {} samples away from the model, in {} of {} cases", distance.wrong_samples,
-                  distance.samples, distance.wrong, distance.cases);
-  if (distance.excused != 0) {
-    text += fmt::format("; not judged: {} of all {} cases ({})", distance.excused,
-                        distance.cases + distance.excused, distance.why);
-  }
-  return text;
 }
 
 }  // namespace rasterproof::lab

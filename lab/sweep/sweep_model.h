@@ -2,7 +2,6 @@
 #ifndef RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_
 #define RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_
 
-#include <string>
 #include <vector>
 
 #include "core/case.h"
@@ -21,9 +20,6 @@ props::Judging ModelOfCase(const SubjectInfo& info, const Case& given);
 /// How far the build's drawings are from these models, one a case.
 Cell DistanceFromModel(const SweepRunner& runner, const SweepOutcome& outcome,
                        const std::vector<props::Judging>& models);
-
-/// "0 of 51200 samples away from the model, in 0 of 200 cases", and what is not judged.
-std::string DistanceText(const Cell& distance);
 
 }  // namespace rasterproof::lab
 

@@ -19,7 +19,9 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "props/compare/compare.h"
+#include "props/compare/yardsticks.h"
 #include "props/judging/redraw.h"
+#include "props/placed_case.h"
 #include "props/run/campaign.h"
 #include "subjects/process/process.h"
 
@@ -56,7 +58,8 @@ std::string FirstError(const std::string& output) {
 }
 
 // The samples of one case that a build draws otherwise than the base; added to `changes`, too.
-props::Reading ReadChanges(std::size_t number, const DrawOutcome& outcome, const DrawOutcome& base,
+props::Reading ReadChanges(const props::PlacedCase& c, std::size_t number,
+                           const DrawOutcome& outcome, const DrawOutcome& base,
                            std::vector<ChangedSample>& changes) {
   const std::size_t first = changes.size();
   const bool is_drawn = outcome.end.stop == Stop::kNone;
@@ -72,9 +75,10 @@ props::Reading ReadChanges(std::size_t number, const DrawOutcome& outcome, const
       changes.push_back({number, k, front, back});
     }
   }
-  props::Reading reading;
-  for (std::size_t k = first; k < changes.size(); ++k) reading.wrong.push_back(changes[k].sample);
-  return reading;
+  std::vector<std::size_t> wrong;
+  for (std::size_t k = first; k < changes.size(); ++k) wrong.push_back(changes[k].sample);
+  if (!are_both_drawn) return {.wrong = std::move(wrong)};
+  return props::Measured(c, base.drawing.counts, std::move(wrong));
 }
 
 }  // namespace
@@ -272,7 +276,7 @@ SweepOutcome SweepRunner::Compare(const std::string& program, const Choices& cho
                            }};
   const props::Yardstick build = [&](const props::CaseAtHand& at) -> props::Judging {
     return {"", [&, k = at.index](const props::Drawn&) {
-              return ReadChanges(all[k], drawn[k], base_[all[k]], outcome.changes);
+              return ReadChanges(at.placed(), all[k], drawn[k], base_[all[k]], outcome.changes);
             }};
   };
   outcome.cell = props::CompareRow(row, {{build}}).front();

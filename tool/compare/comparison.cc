@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
 #include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
 #include "props/compare/yardsticks.h"
 #include "props/run/description.h"
 #include "report/picture.h"
@@ -66,6 +69,23 @@ void MarkProved(const SubjectInfo& info, std::vector<Cell>& cells) {
   }
 }
 
+void SaveWorst(const std::string& folder, const ComparisonTable& table,
+               const std::vector<Column>& columns) {
+  const ComparedSubject& subject = table.subjects.back();
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    for (std::size_t y = 0; y < columns.size(); ++y) {
+      const Case* const worst = subject.cells[k][y].Worst();
+      if (worst == nullptr || !columns[y].is_saved) continue;
+      const std::string end = columns[y].file.empty() ? "" : "-" + columns[y].file;
+      io::MakeFolder(folder);
+      io::WriteFile(fmt::format("{}/{}-{}{}.json", folder, FileNameOf(subject.name),
+                                FileNameOf(table.rows[k].name), end),
+                    io::CaseToJson({columns[y].judged ? columns[y].judged(*worst) : *worst,
+                                    subject.name, columns[y].property}));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Column> OwnAndReal() {
@@ -119,6 +139,12 @@ ComparisonTable TableOf(const std::vector<props::Family>& families,
                           std::string(right)});
   }
   return table;
+}
+
+void TellNewest(const ComparisonTable& table, const std::vector<Column>& columns,
+                const std::string& json, const std::string& folder) {
+  if (json != "-") io::WriteStandardOutput(report::ComparisonText(table, table.subjects.back()));
+  if (!folder.empty()) SaveWorst(folder, table, columns);
 }
 
 report::Catalogue MeasureCatalogues(const std::vector<SubjectFactory>& subjects,

@@ -2,6 +2,7 @@
 // function.
 #include "tool/sweep/cmd_sweep.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -12,13 +13,16 @@
 #include <string>
 #include <vector>
 
+#include "core/comparison.h"
 #include "core/error.h"
 #include "io/output.h"
 #include "lab/sweep/sweep.h"
 #include "lab/sweep/sweep_builds.h"
 #include "lab/sweep/sweep_runner.h"
-#include "lab/sweep/sweep_text.h"
+#include "lab/sweep/sweep_table.h"
+#include "report/comparison.h"
 #include "report/text.h"
+#include "tool/compare/comparison.h"
 #include "tool/description.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
@@ -79,11 +83,11 @@ int RunSweep(const SweepOptions& options) {
   Progress progress(static_cast<std::size_t>(options.jobs));
   lab::Sweep sweep(runner, WorkOf(options.jobs, progress));
   sweep.Run(builds);
-  if (options.json != "-")
-    io::WriteStandardOutput(report::CleanText(lab::SweepText(runner, sweep, options.seed)));
-  if (!options.json.empty())
-    io::WriteOutput(options.json, lab::SweepJson(runner, sweep, options.seed));
-  return sweep.Differing() + sweep.Stopped() == 0 ? kExitHolds : kExitViolated;
+  const ComparisonTable table = lab::SweepTable(runner, sweep, options.seed);
+  TellNewest(table, {}, options.json, "");
+  if (!options.json.empty()) io::WriteOutput(options.json, report::ComparisonToJson(table));
+  const auto fails = [](const std::vector<Cell>& cells) { return cells.front().Fails(); };
+  return std::ranges::any_of(table.subjects.front().cells, fails) ? kExitViolated : kExitHolds;
 }
 
 }  // namespace rasterproof::tool

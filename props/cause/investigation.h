@@ -46,6 +46,7 @@ class Investigation {
  private:
   void Sort();
   void Race();
+  std::optional<Suspect> WithBudget(Suspect suspect) const;
   bool IsSound(Fitting& fitting) const;
   void TellApart(std::vector<Fitting>& left);
   bool Split(std::vector<Fitting>& left, const Case& c, bool also_alike);

@@ -423,7 +423,7 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   const auto require = [&](bool holds, const std::string& reason, const std::string& remedy) {
     if (!holds) throw InputError(path, reason, remedy);
   };
-  require(plugin != nullptr, std::string(kSymbol) + " returned NULL", "return a description");
+  require(plugin != nullptr, std::string(kSymbol).append(" returned NULL"), "return a description");
   require(
       plugin->version == RASTERPROOF_PLUGIN_VERSION,
       "it is written for version " + std::to_string(plugin->version) + " of the interface",

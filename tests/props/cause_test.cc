@@ -79,7 +79,19 @@ TEST(Suspect, IsNamedInWholeWords) {
   EXPECT_GT(suspects.size(), 300U);
   for (const Suspect& suspect : suspects) {
     EXPECT_FALSE(suspect.cause.empty() || suspect.what.empty());
-    EXPECT_EQ(suspect.what.find('{'), std::string::npos) << suspect.what;
+    EXPECT_EQ(suspect.what.find("{}") != std::string::npos, static_cast<bool>(suspect.within))
+        << suspect.what;
+  }
+}
+
+TEST(Cause, OfABudgetNamesItsNumber) {
+  for (const auto& [mutant, what] :
+       {std::pair("mutant:target-2048", "never draws pixels from column 2048 on"),
+        std::pair("mutant:many-vertices-lost",
+                  "leaves out triangles with vertices from number 256 on")}) {
+    const Cause cause = CauseOf(mutant);
+    EXPECT_EQ(cause.kind, CauseKind::kModel) << mutant;
+    EXPECT_EQ(cause.what, std::vector<std::string>{what}) << mutant;
   }
 }
 

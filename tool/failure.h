@@ -44,7 +44,7 @@ std::string InOneLine(const std::string& json);
 /// drew the case itself.
 std::string DrawnLine(const Case& c, const Verdict& verdict);
 
-/// The line, the scene, what was drawn, the picture if there is a place to show, and the replay
+/// The line, the scene, what was drawn, a picture around the witness if any, and the replay
 /// command.
 std::string FailureText(Subject& subject, const std::string& property, const Case& c,
                         const Verdict& verdict, const std::string& replay, bool colour);

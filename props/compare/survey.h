@@ -56,7 +56,7 @@ struct DomainSurvey {
   std::string_view domain;
   std::uint64_t cases = 0;     ///< drawn by the subject, and compared
   std::uint64_t refused = 0;   ///< by the subject
-  std::uint64_t unjudged = 0;  ///< the profile says nothing of them, or the subject was too slow
+  std::uint64_t unjudged = 0;  ///< the profile does not cover them, or the subject was too slow
   std::uint64_t meshes = 0;    ///< cases that are covering meshes
   std::uint64_t triangles = 0;
   std::uint64_t samples = 0;

@@ -165,8 +165,8 @@ std::string SurveySection(const std::string& folder) {
     if (entry.path().extension() == ".json") paths.insert(entry.path().string());
   }
   if (paths.empty()) {
-    throw InputError(folder, "the folder has no survey",
-                     "write one there: rasterproof survey --json " + folder + "/NAME.json");
+    throw InputError(folder, "the folder holds no survey",
+                     "write one: rasterproof survey --json " + folder + "/NAME.json");
   }
   std::string rows;
   std::string rest;
@@ -176,7 +176,7 @@ std::string SurveySection(const std::string& folder) {
     const JsonValue version = document.root().Get("rasterproof_survey");
     if (version.RequireInteger(0, INT32_MAX) != 4) {
       throw version.Error("version " + std::string(version.text()) + " is unknown",
-                          "this program reads version 4: survey again by rasterproof survey");
+                          "this program reads version 4: run rasterproof survey again");
     }
     const std::string anchor = "survey-" + std::to_string(count++);
     rows += SurveyRow(document.root(), anchor);

@@ -103,8 +103,8 @@ void RequireLegalSet(const std::optional<Profile>& profile) {
   if (is_preset && SpecificationOf(*profile) != nullptr) return;
   throw InputError("option --device",
                    profile
-                       ? fmt::format("profile {} is no specification's legal set", profile->name)
-                       : "there is no profile to put a device's numbers into",
+                       ? fmt::format("profile {} is not a specification's legal set", profile->name)
+                       : "no profile is given for the device's numbers",
                    "give --profile d3d11, vulkan, gl or webgpu");
 }
 
@@ -151,25 +151,23 @@ void NotePreset(const Profile& profile) {
   for (const SquarePresetInfo& preset : kSquarePresets) {
     if (preset.name != profile.name || PresetProfile(profile.name) != profile) continue;
     if (preset.assumed.empty() || !said.insert(profile.name).second) return;
-    Tell(fmt::format("note: profile {} takes from {} what it says; assumed: {}\n", profile.name,
-                     preset.source, preset.assumed));
+    Tell(fmt::format("note: profile {} follows {}; assumed: {}\n", profile.name, preset.source,
+                     preset.assumed));
   }
   if (!IsCanonicalPreset(profile.name) || PresetProfile(profile.name) != profile) return;
   if (!said.insert(profile.name).second) return;
-  Tell(fmt::format(
-      "note: profile {} is one model: {} subpixel bits, {}, {}; all that the API allows is profile "
-      "{}\n",
-      profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
-      TieRuleName(profile.tie_rule), profile.name.substr(0, profile.name.find('-'))));
+  Tell(
+      fmt::format("note: profile {} is only one of the API's legal models ({} subpixel bits, {}, "
+                  "{}); profile {} allows all\n",
+                  profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
+                  TieRuleName(profile.tie_rule), profile.name.substr(0, profile.name.find('-'))));
 }
 
 void RequireSamples(const SubjectInfo& info) {
   if (!info.profile.squares) return;
   throw InputError(
       fmt::format("subject '{}'", info.name),
-      fmt::format("its profile {} states which whole pixels it covers, and no model of "
-                  "samples does",
-                  info.profile.name),
+      fmt::format("its profile {} is about whole pixels, not samples", info.profile.name),
       "judge it by rasterproof check, or state a profile of samples by --profile");
 }
 
@@ -227,9 +225,9 @@ const props::Property& RequireProperty(const std::string& name) {
   if (const props::Property* property = props::FindProperty(name)) return *property;
   std::vector<std::string> names;
   for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
-  throw InputError(
-      fmt::format("property '{}'", name), "there is no such property" + io::RenamedText(name),
-      Suggestion(name, names) + "'rasterproof list properties' names all that there are");
+  throw InputError(fmt::format("property '{}'", name),
+                   "there is no such property" + io::RenamedText(name),
+                   Suggestion(name, names) + "'rasterproof list properties' names all");
 }
 
 const props::World& RequireWorld(const std::string& place, const std::string& name) {
@@ -237,7 +235,7 @@ const props::World& RequireWorld(const std::string& place, const std::string& na
   std::vector<std::string_view> names;
   for (const props::World& world : props::Worlds()) names.push_back(world.name);
   throw InputError(place, "there is no world " + Printable(name),
-                   Suggestion(name, names) + "'rasterproof list worlds' names all that there are");
+                   Suggestion(name, names) + "'rasterproof list worlds' names all");
 }
 
 CaseName RequireCaseName(const std::string& name) {

@@ -107,7 +107,7 @@ class LegalHintsTest(LegalCase):
         rows = self.drawn("vulkan-canonical")
         counts = self.as_text(rows)
         picture = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))
-        once = "covered or not; a sample covered twice is not seen"
+        once = "covered or not; double coverage is not seen"
         for drawing, told in (
                 ((picture,), once + ": give counts (or --ids)"),
                 ((counts,), "counts; facings are not seen"),

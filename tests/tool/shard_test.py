@@ -191,8 +191,8 @@ class Refused(Parts):
         self.refused(self.merge(*both), "another build of rasterproof", "by one build")
         self.refused(self.merge(one, self.changed(two, "stated", "profile gl")), "its profile")
         both = [self.changed(part, "stated", "profile gl") for part in (one, two)]
-        self.refused(self.merge(*both), "stated something else")
-        self.refused(self.merge(self.changed(one, "tests", []), two), "its properties are not")
+        self.refused(self.merge(*both), "has changed since")
+        self.refused(self.merge(self.changed(one, "tests", []), two), "it has other properties")
         self.refused(self.merge(self.changed(one, "rasterproof_part", 9), two), "version 9")
 
     def edited(self, path, edit):
@@ -232,23 +232,23 @@ class Refused(Parts):
             (lambda part: part.update(seed="01"), ("is no seed",)),
             (lambda part: part["environment"].append("odd"), ("has no value",)),
             (of_test(cases=0, cases_exercised=0, exercised=0), ("more cases than were run",)),
-            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("domains are listed",)),
+            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("it lists",)),
             (of_test(end="not applicable"), ("not applicable, with 10 cases run",)),
             (of_test(end="failed"), ("found",)),
             (of_test(cases_exercised=11), ("of 10 cases",)),
-            (of_test(exercised=2**62), ("no count that any run reaches",)),
+            (of_test(exercised=2**62), ("no run can reach a count",)),
             (of_test(cases_refused=11), ("refused",)),
             (of_test(refused_within_limits=1), ("refused",)),
             (of_test(not_applicable=11), ("not applicable",)),
             (of_test(places=[]), ("every place",)),
             (of_test(places=[{"asked": 1, "refused": 2}] * 10), ("kind of place",)),
             (of_test(worst_ratio="nan"), ("error",)),
-            (of_test(domains=[]), ("domains are listed",)),
+            (of_test(domains=[]), ("it lists",)),
             (of_domain(drawn=2**63 - 1), ("more cases than were run",)),
             (of_domain(on_edge=2**40), ("more of its samples lie near edges",)),
             # Nothing contradicts it; it is not what was written.
-            (of_test(seconds="0x1p+0"), ("another digest",)),
-            (lambda part: part.update(digest="0" * 16), ("another digest",)),
+            (of_test(seconds="0x1p+0"), ("its digest differs",)),
+            (lambda part: part.update(digest="0" * 16), ("its digest differs",)),
         ):
             with self.subTest(words=words):
                 done = self.merge(self.edited(part, edit))
@@ -271,15 +271,15 @@ class Refused(Parts):
             (lambda part: found(part)["witness"].update(x=10**6), "its witness is pixel"),
             (lambda part: found(part)["witness"].update(sample=-1), "its witness is sample"),
             (seen("two"), "is a string, not an array"),
-            (seen([True]), "neither words nor a number"),
-            (seen([{"back": 1}]), "neither words nor a number"),
+            (seen([True]), "not a value of a witness"),
+            (seen([{"back": 1}]), "not a value of a witness"),
             (seen([{"front": 1}]), '"back" is missing'), (seen([{"counts": [64]}]), "out of range"),
             (seen([{"double": "2"}]), "observed[0].double"), (seen([1.5]), "is not an integer"),
-            (seen([{"rational": "1/x"}]), "is no rational number"),
-            (seen(["front 1, back 0"]), "another digest"),
-            (lambda part: found(part).update(outcome="holds"), "the outcome is that it holds"),
-            (lambda part: found(part).update(said_outcome="holds"), "not that it is violated"),
-            (lambda part: found(part).update(message="fine"), "another digest"),
+            (seen([{"rational": "1/x"}]), "is not a rational number"),
+            (seen(["front 1, back 0"]), "its digest differs"),
+            (lambda part: found(part).update(outcome="holds"), "but its outcome is 'holds'"),
+            (lambda part: found(part).update(said_outcome="holds"), "not said to violate it"),
+            (lambda part: found(part).update(message="fine"), "its digest differs"),
         ):
             with self.subTest(words=words):
                 self.refused(self.merge(self.edited(part, edit), subject=subject), words)
@@ -304,7 +304,7 @@ class Refused(Parts):
             (("--cases", "0..5", "--exhaustive", "pairs-3x3"), "--shard, which cuts worlds"),
             (("--shard", "0/2"), "not a shard"), (("--shard", "3/2"), "not a shard"),
             (("--shard", "1/"), "not a shard"), (("--shard", "one"), "not a shard"),
-            (("--cases", "5..5"), "no case in it"), (("--cases", "5.."), "not two numbers"),
+            (("--cases", "5..5"), "the range is empty"), (("--cases", "5.."), "not two numbers"),
             (("--cases", "0"), "not a number of cases"), (("--cases", "1e3"), "not a number"),
         ):  # fmt: skip
             with self.subTest(arguments=arguments):
@@ -338,13 +338,13 @@ class Automatic(Parts):
 
     def test_what_is_missing_or_contradictory_is_refused(self):
         for variables, words in (
-            ({}, "no engine says which shard this is"),
+            ({}, "none of GTEST_SHARD_INDEX"),
             ({"GTEST_SHARD_INDEX": "2"}, "GTEST_TOTAL_SHARDS is not set"),
             ({"GTEST_TOTAL_SHARDS": "2"}, "GTEST_SHARD_INDEX is not set"),
             ({"OMPI_COMM_WORLD_RANK": "1"}, "OMPI_COMM_WORLD_SIZE is not set"),
             ({**GTEST, "GTEST_SHARD_INDEX": "3"}, "say shard 4 of 3"),
-            ({**GTEST, "GTEST_SHARD_INDEX": "-1"}, "is '-1', which is no count"),
-            ({**OMPI, "OMPI_COMM_WORLD_SIZE": ""}, "which is no count"),
+            ({**GTEST, "GTEST_SHARD_INDEX": "-1"}, "is '-1', not a count"),
+            ({**OMPI, "OMPI_COMM_WORLD_SIZE": ""}, "not a count"),
             ({**SLURM, "SLURM_ARRAY_TASK_ID": "25"}, "in an array from 10 in steps of 10"),
             ({**SLURM, "SLURM_ARRAY_TASK_COUNT": "2"}, "say shard 3 of 2"),
             ({**SLURM, **OMPI, "OMPI_COMM_WORLD_RANK": "1"}, "say 3/3, but"),

@@ -255,7 +255,7 @@ class VectorsTest(unittest.TestCase):
             self.assertEqual(made.returncode, 0, made.stderr)
             for table in tables:
                 with self.subTest(table):
-                    self.refused(run("verify", table, good), "jsonl alone", "--format jsonl")
+                    self.refused(run("verify", table, good), "not in the", "--format jsonl")
         self.refused(run("verify", path, "--subject", "spans-exact-4x"), "subject")
 
     def test_profiles_without_single_samples_are_refused_before_anything_is_written(self):

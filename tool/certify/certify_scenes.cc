@@ -42,7 +42,7 @@ constexpr std::string_view kNotJudged = ": observed, not judged";
 std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
   if (!scene.clip_space && !info.takes_window) return "the scene is in window space";
-  return info.profile.fixed ? "coordinates that the subject's integers do not hold"
+  return info.profile.fixed ? "coordinates out of range of the subject's integers"
                             : "the scene is float64";
 }
 
@@ -69,7 +69,7 @@ void SetReason(const SubjectStop& end, Attempt& attempt) {
       attempt.reason = "the subject refused it: " + why;
       return;
     case Stop::kNotDrawable:
-      attempt.reason = "it can't be given to the subject: " + why;
+      attempt.reason = "the subject can't take it: " + why;
       return;
     case Stop::kBrokeDown:
     case Stop::kHung:
@@ -121,9 +121,7 @@ Attempt TryInTime(Subject& subject, const Scene& scene, props::Pace& pace) {
     ++pace.silent;
   }
   if (is_short && attempt.stop == Stop::kDeadline) {
-    attempt.reason =
-        "no answer within the short time that a scene gets since the subject hung on "
-        "another one (--time-limit)";
+    attempt.reason = "no answer in time; after a hang, scenes get less than --time-limit";
   }
   return attempt;
 }
@@ -205,7 +203,7 @@ PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measur
         break;
       case legal::Legality::kNotJudged:
         result.outcome = Outcome::kNotExercised;
-        result.message = fmt::format("a component of {} triangles is too large to be judged",
+        result.message = fmt::format("a component of {} triangles is too large to judge",
                                      verdict.largest_given_up);
         break;
     }
@@ -280,7 +278,7 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
   const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : Located(path);
   if (!found) {
     throw InputError(kSceneSet,
-                     fmt::format("no scene set lies beside the command (looked in {})",
+                     fmt::format("there is no scene set beside the command (looked in {})",
                                  fmt::join(SharedFolders(), ", ")),
                      "name one with --scenes FILE");
   }

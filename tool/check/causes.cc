@@ -50,7 +50,7 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
                          cause.what.front());
     case CauseKind::kShownValues:
       return fmt::format(
-          "{}the fault is in values that are shown beside coverage: {}",
+          "{}the fault is in values shown beside coverage: {}",
           explanation.wrong == 0
               ? fmt::format("all {} are as stated; ", Counted(explanation.draws, "draw", "draws"))
               : "",
@@ -108,8 +108,8 @@ std::string CausesText(const props::Explanation& explanation,
   if (explanation.causes.empty()) return text;
   if (explanation.is_cut_short) {
     text +=
-        "  the search for causes was cut short: another suspect may explain them as well; "
-        "--cause-seconds gives it more time\n";
+        "  the search for causes ran out of time and may have missed another suspect; raise "
+        "--cause-seconds\n";
   }
   const auto named = std::ranges::count_if(
       explanation.causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });

@@ -121,10 +121,10 @@ class Sweep {
     if (!row.note.empty() || outcome.HasDrawn() || outcome.is_breakdown) return;
     outcome.failure = "not built: " + outcome.failure;
     if (std::ranges::any_of(row.build.choices, is_i386)) {
-      outcome.failure += runner_.has_cxx()
-                             ? "; package g++-multilib has what builds for 32 bits need"
-                             : "; packages libc6-dev-i386 and lib32gcc-12-dev have what builds for "
-                               "32 bits need";
+      outcome.failure +=
+          runner_.has_cxx()
+              ? "; builds for 32 bits need package g++-multilib"
+              : "; builds for 32 bits need packages libc6-dev-i386 and lib32gcc-12-dev";
     }
   }
 
@@ -356,7 +356,7 @@ int RunSweep(const SweepOptions& options) {
   } catch (const BuildFailure& failure) {
     std::cerr << "rasterproof: " << report::CleanText(BuildName({}))
               << ": the base is not built: " << report::CleanText(failure.what())
-              << "; mend that, or give --cflags\n";
+              << "; correct it, or give --cflags\n";
     return kExitFault;
   }
   Sweep sweep(runner, options.jobs);
@@ -370,7 +370,7 @@ int RunSweep(const SweepOptions& options) {
   const auto differing = std::ranges::count_if(sweep.rows(), differs);
   const auto stopped = std::ranges::count_if(sweep.rows(), is_stopped);
   std::string summary =
-      fmt::format("{} of {} builds draw other samples than the base in {} cases, seed {}\n",
+      fmt::format("{} of {} builds draw different samples than the base in {} cases, seed {}\n",
                   differing, drawn, options.cases, options.seed);
   if (stopped != 0) summary += fmt::format("{} builds do not draw every case\n", stopped);
   if (options.json != "-") {

@@ -103,8 +103,7 @@ std::string WhyThin(Contract contract, std::span<const PropertyResult> results) 
   }
   if (!StatesOwners(contract) || !is_counted || ties >= kFewestTies) return "";
   return "thin: " + std::to_string(ties) + " samples on an edge test the contract " +
-         std::string(ContractName(contract)) + " to the test, fewer than " +
-         std::to_string(kFewestTies);
+         std::string(ContractName(contract)) + ", fewer than " + std::to_string(kFewestTies);
 }
 
 }  // namespace

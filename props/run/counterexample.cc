@@ -36,7 +36,7 @@ Counterexample NotDeterministic(const Case& c, const Verdict& seen, const Verdic
 // A breakdown is a finding, whatever comes of a second try.
 Counterexample BrokeDownOnce(Counterexample found) {
   found.outcome = Outcome::kViolated;
-  found.message = found.verdict.message + "; the failure did not repeat: " + found.message;
+  found.message = found.verdict.message + "; it did not happen again: " + found.message;
   return found;
 }
 

@@ -22,7 +22,7 @@ namespace rasterproof::subjects {
 /// How long an answer is waited for, in the program's own time.
 struct ProcessSubject::Wait {
   double limit = 0;  ///< what it may take
-  double most = 0;   ///< when nobody waits any longer: then it hangs, if that is more
+  double most = 0;   ///< when it counts as hanging, if that is more
 
   bool IsLong() const { return most > limit; }
 };
@@ -132,7 +132,7 @@ class ProcessSubject::Child {
     return bytes;
   }
 
-  /// Whoever says more than it was asked would be taken for an answer to what comes next.
+  /// Extra output would be taken for the answer to the next request.
   void RequireSilence() {
     std::string more;
     if (!process_.HasUnread(more)) return;

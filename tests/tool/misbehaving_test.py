@@ -146,7 +146,7 @@ class Misbehaving(unittest.TestCase):
         run = self.start("floods-lines")
         status, text = run.end()
         self.assertIn(status, (1, 4), text)
-        self.assertRegex(text, "it said more than|left over from an earlier answer")
+        self.assertRegex(text, "it printed more than|left over from an earlier answer")
         self.assertEqual(run.left(), [])
 
     def test_a_refusal_is_neither_good_nor_bad(self):

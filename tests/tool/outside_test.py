@@ -484,7 +484,7 @@ class BadNames(unittest.TestCase):
                 ("command true\ninput fixed 32.4 signed\n", "N from 1 to 31"),
                 ("command true\ninput fixed 12.4\n", "the fixed-point format lacks its sign"),
                 ("command true\ninput fixed 12.4 signed wraps\n", "'wraps' is not known"),
-                ("command true\ninput fixed 12.4 signed\ntakes clip\n", "takes clip space"),
+                ("command true\ninput fixed 12.4 signed\ntakes clip\n", "take clip space"),
                 ('command true\ninput fixed 12.4 signed\nprofile {"name": "p", "fixed": '
                  '{"integer_bits": 11, "fraction_bits": 4}}\n', "different fixed-point formats"),
             ):

@@ -134,7 +134,7 @@ class Misbehaving(unittest.TestCase):
         # Whether it has begun to speak when it is first asked is a matter of time.
         status, text = self.start("greets").end()
         self.assertEqual(status, 2, text)
-        self.assertRegex(text, r"(spoke before it was asked:|its first line is) "
+        self.assertRegex(text, r"(printed before it was asked:|its first line is) "
                                r'"hello\\x00\\x1b\[31m"')  # fmt: skip
 
     def test_answers_that_nobody_asked_for_are_reported_as_such(self):

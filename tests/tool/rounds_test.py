@@ -159,7 +159,7 @@ class RoundsTest(unittest.TestCase):
         again = shrink.ask()
         self.assertEqual((first.returncode, again.returncode), (4, 4))
         self.assertIn("round-1.answers", first.stdout)
-        self.assertIn("round-1.answers is not there yet", again.stdout)
+        self.assertIn("round-1.answers is missing", again.stdout)
         with open(shrink.path(1, "requests"), encoding="utf-8") as file:
             self.assertEqual(file.read(), requests)
 

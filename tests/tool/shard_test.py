@@ -145,10 +145,10 @@ class TheSameBytes(Parts):
 class Refused(Parts):
     def test_holes_and_overlaps(self):
         shards = [self.part("--shard", f"{k}/3") for k in (1, 2, 3)]
-        self.refused(self.merge(*shards[:2]), "part-2-of-3.json", "shard 3 of 3 is in none",
+        self.refused(self.merge(*shards[:2]), "part-2-of-3.json", "shard 3 of 3 is missing",
                      "--shard 3/3")  # fmt: skip
         self.refused(self.merge(shards[0], shards[2]), "part-1-of-3.json", "shard 2 of 3")
-        self.refused(self.merge(shards[2]), "part-3-of-3.json", "shards 1, 2 of 3 are in none",
+        self.refused(self.merge(shards[2]), "part-3-of-3.json", "shards 1, 2 of 3 are missing",
                      "run each (--shard 1/3, --shard 2/3)")  # fmt: skip
         self.refused(self.merge(*shards, shards[1]), "shard 2/3 is in", "part-2-of-3.json too",
                      "give one of them")  # fmt: skip
@@ -240,7 +240,7 @@ class Refused(Parts):
             (of_test(cases_refused=11), ("refused",)),
             (of_test(refused_within_limits=1), ("refused",)),
             (of_test(not_applicable=11), ("not applicable",)),
-            (of_test(places=[]), ("every place",)),
+            (of_test(places=[]), ("wrong number of entries",)),
             (of_test(places=[{"asked": 1, "refused": 2}] * 10), ("kind of place",)),
             (of_test(worst_ratio="nan"), ("error",)),
             (of_test(domains=[]), ("it lists",)),
@@ -297,10 +297,10 @@ class Refused(Parts):
 
     def test_options_that_a_part_does_not_take(self):
         for arguments, words in (
-            (("--shard", "1/2", "--seconds", "1"), "takes no --seconds"),
+            (("--shard", "1/2", "--seconds", "1"), "does not take --seconds"),
             (("--shard", "1/2", "--scenes", SCENES), "give it to --merge"),
             (("--shard", "1/2", "--fail-on", "quality"), "give it to --merge"),
-            (("--shard", "1/2", "--cases", "0..5"), "takes no --shard beside it"),
+            (("--shard", "1/2", "--cases", "0..5"), "does not take --shard beside it"),
             (("--cases", "0..5", "--exhaustive", "pairs-3x3"), "--shard, which cuts worlds"),
             (("--shard", "0/2"), "not a shard"), (("--shard", "3/2"), "not a shard"),
             (("--shard", "1/"), "not a shard"), (("--shard", "one"), "not a shard"),
@@ -385,7 +385,7 @@ class Killed(Parts):
     def refused_merge(self, one):
         done = self.merge(one, out="out-refused")
         self.assertEqual(done.returncode, 2, done.stdout)
-        self.assertIn("shard 2 of 2 is in none of the files", done.stderr)
+        self.assertIn("shard 2 of 2 is missing", done.stderr)
 
     def test_an_interrupted_worker_writes_no_part(self):
         waits = os.path.join(self.folder, "waits")

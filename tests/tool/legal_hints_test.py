@@ -113,8 +113,8 @@ class LegalHintsTest(LegalCase):
                 ((counts,), "counts; facings are not seen"),
                 ((counts, "--ids"), "ids: each covers its sample; which of several triangles is on "
                                     "top is not judged"),
-                ((counts, "--ids", "--visible", "last"), "ids, of several triangles that of the "
-                                                         "last one"),
+                ((counts, "--ids", "--visible", "last"), "ids; of several triangles, the last "
+                                                         "one's"),
                 (("--subject", "i64-snap8"), "counts and facings"),
                 (("--subject", "legal:vulkan-farthest-mask"), once)):
             done = run("legal", self.scene, *drawing, "--profile", "vulkan", "--json",

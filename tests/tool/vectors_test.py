@@ -239,7 +239,7 @@ class VectorsTest(unittest.TestCase):
         for changed, words in (
             ({"case": "near-edge:99999@7"}, ("line 2: case", "near-edge:99999@7")),
             ({"triangle": 99}, ("line 2: triangle",)),
-            ({}, ("line 2: triangle", "second time")),
+            ({}, ("line 2: triangle", "answered twice")),
             ({"triangle": 1, "rows": ["0"] * 65}, ("below the target",)),
             ({"triangle": 1, "rows": ["f" * 40]}, ("beyond the target's last column",)),
             ({"triangle": 1, "rows": [3]}, ("rows[0]",)),

@@ -27,7 +27,7 @@ struct Cell {
   double furthest = 0;
   std::optional<Case> worst = {};     ///< the case of that sample; the first one of equals
   std::optional<Case> ended_on = {};  ///< the first case that broke the subject down
-  std::uint64_t excused = 0;          ///< cases that the yardstick or the subject says nothing of
+  std::uint64_t excused = 0;          ///< cases outside what the yardstick or the subject covers
   std::uint64_t refused = 0;          ///< of these, by the subject
   std::string why = {};               ///< of the first breakdown, else of the first excused case
   bool has_hung = false;              ///< it broke down by giving no answer

@@ -134,8 +134,8 @@ std::string SurveySection(const std::string& folder) {
     if (entry.path().extension() == ".json") paths.insert(entry.path().string());
   }
   if (paths.empty()) {
-    throw InputError(folder, "the folder has no survey",
-                     "write one there: rasterproof survey --json " + folder + "/NAME.json");
+    throw InputError(folder, "the folder holds no survey",
+                     "write one: rasterproof survey --json " + folder + "/NAME.json");
   }
   ComparisonTable table;
   for (const std::string& path : paths) AddSurvey(path, table);

@@ -16,7 +16,7 @@ struct CaseChoice {
   std::string profile;  ///< judge by this one; empty: the file's, or the subject's own
   std::string name;     ///< of a drawn case: "near-edge:17@1"
   std::string typed;    ///< the command line as the user gave it, quoted for a shell
-  /// The file is a fuzz input, as a fuzzer saves it, whatever it looks like.
+  /// Read the file as a fuzz input, even if it looks like text.
   bool is_fuzz_input = false;
   std::size_t list_length = 0;  ///< 0: the subject's own
 };

@@ -10,7 +10,7 @@ namespace rasterproof::tool {
 /// when the command started stays ignored.
 void CatchInterrupts(void (*then)() noexcept);
 
-/// Whether SIGINT, SIGTERM or SIGHUP has arrived: end soon, and say what is known so far.
+/// Whether SIGINT, SIGTERM or SIGHUP has arrived: stop soon and print the results so far.
 bool Interrupted() noexcept;
 
 /// 128 + the number of the signal that arrived, as a shell tells it; 0: none did.

@@ -27,20 +27,20 @@ void RequireOursInFile(const std::string& name, const CaseChoice& choice, std::s
   if (!NamesWhatToRun(name)) {
     throw InputError(choice.path,
                      fmt::format("there is no subject {}, which it names", ShellWord(name)),
-                     "give --subject; 'rasterproof list subjects' names all that there are");
+                     "give --subject; 'rasterproof list subjects' names all");
   }
   constexpr std::size_t kLongestShown = 1000;  // what a reader can judge before typing it
   const std::string option = SubjectOption(name);
   if (option.size() > kLongestShown) {
     throw InputError(choice.path,
-                     fmt::format("the file names a subject outside this program, in {} characters, "
-                                 "and no file decides what is run",
+                     fmt::format("the file names an outside subject, in {} characters, and files "
+                                 "may not choose what runs",
                                  name.size()),
                      "if you trust it, name it yourself: --plugin, --exec or --subject");
   }
   const std::string typed = choice.typed.empty() ? CommandFor(verb, choice) : choice.typed;
   throw InputError(choice.path,
-                   "the file names a subject outside this program, and no file decides what is run",
+                   "the file names an outside subject, and files may not choose what runs",
                    fmt::format("if you trust it, name it yourself: {} {}", typed, option));
 }
 
@@ -67,7 +67,7 @@ LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::
   const std::vector<std::string> own = OwnNames();
   if (stated.subject.empty() && !own.empty()) stated.subject = own.front();
   if (stated.subject.empty()) {
-    throw InputError(choice.path, "a fuzz input means a case only together with a subject",
+    throw InputError(choice.path, "a fuzz input needs a subject to be a case",
                      "give the --subject that it was run on");
   }
   LoadedCase loaded;
@@ -85,9 +85,9 @@ LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::
 LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make) {
   LoadedCase loaded = LoadCaseOrDrawing(choice, verb, make);
   if (!loaded.drawing) return loaded;
-  throw InputError(choice.path, "it holds a drawing, which no subject drew",
+  throw InputError(choice.path, "it holds a drawing of no subject",
                    "judge the drawing by 'rasterproof legal " + choice.path +
-                       "', or give --subject to see what that one draws of the scene");
+                       "', or give --subject to draw the scene");
 }
 
 LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
@@ -104,8 +104,7 @@ LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
                        "give one of them");
     }
     if (subject.empty()) {
-      throw InputError("--case", "a name stands for a case together with a subject",
-                       "give --subject as well");
+      throw InputError("--case", "the name of a case needs a subject", "give --subject as well");
     }
     const CaseName case_name = RequireCaseName(choice.name);
     if (!property.empty()) loaded.property = &RequireProperty(property);

@@ -70,12 +70,12 @@ void RequireProgram(const std::string& command, const std::string& name) {
     subjects::OutputOf({"/bin/sh", "-c", "command -v -- \"$0\"", program}, name, OutsideLimits());
   } catch (const InputError&) {
     throw InputError(name, "there is no program " + program,
-                     "give one that this user may run, with its path");
+                     "give the path of one that this user may run");
   }
   // Of a path, dash says only that the file is there.
   const bool is_path = program.find('/') != std::string::npos;
   if (is_path && (access(program.c_str(), X_OK) != 0 || std::filesystem::is_directory(program))) {
-    throw InputError(name, program + " is no program that this user may run",
+    throw InputError(name, program + " is not a program that this user may run",
                      "make it executable (chmod +x), or name its interpreter before it");
   }
 }

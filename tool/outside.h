@@ -16,14 +16,14 @@ namespace rasterproof::tool {
 /// IsOutside(name). The library or the file is asked here, once, what it is. If it does not report
 /// facings, the caller works them out (props::DrawByFacing).
 ///
-/// Error:      InputError if the library or the file is not what it should be.
+/// Error:      InputError if the library or the file is malformed.
 SubjectMaker ResolveOutside(const std::string& name);
 
 /// The description of a program that does not run here, as of one that does: what its file says,
-/// or, without a file, what is assumed of a program that says nothing.
+/// or, without a file, the description assumed by default.
 ///
 /// Returns:    named after the file, or "exec:PROGRAM".
-/// Error:      InputError if the file is not what it should be.
+/// Error:      InputError if the file is malformed.
 SubjectInfo InfoOfProgram(const std::string& file);
 
 struct HostOptions {

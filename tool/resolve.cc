@@ -96,8 +96,8 @@ void RequireLegalSet(const std::optional<Profile>& profile) {
   if (is_preset && SpecificationOf(*profile) != nullptr) return;
   throw InputError("option --device",
                    profile
-                       ? fmt::format("profile {} is no specification's legal set", profile->name)
-                       : "there is no profile to put a device's numbers into",
+                       ? fmt::format("profile {} is not a specification's legal set", profile->name)
+                       : "no profile is given for the device's numbers",
                    "give --profile d3d11, vulkan, gl or webgpu");
 }
 
@@ -139,25 +139,23 @@ void NotePreset(const Profile& profile) {
   for (const SquarePresetInfo& preset : kSquarePresets) {
     if (preset.name != profile.name || PresetProfile(profile.name) != profile) continue;
     if (preset.assumed.empty() || !said.insert(profile.name).second) return;
-    Tell(fmt::format("note: profile {} takes from {} what it says; assumed: {}\n", profile.name,
-                     preset.source, preset.assumed));
+    Tell(fmt::format("note: profile {} follows {}; assumed: {}\n", profile.name, preset.source,
+                     preset.assumed));
   }
   if (!IsCanonicalPreset(profile.name) || PresetProfile(profile.name) != profile) return;
   if (!said.insert(profile.name).second) return;
-  Tell(fmt::format(
-      "note: profile {} is one model: {} subpixel bits, {}, {}; all that the API allows is profile "
-      "{}\n",
-      profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
-      TieRuleName(profile.tie_rule), profile.name.substr(0, profile.name.find('-'))));
+  Tell(
+      fmt::format("note: profile {} is only one of the API's legal models ({} subpixel bits, {}, "
+                  "{}); profile {} allows all\n",
+                  profile.name, profile.snap.bits, SnapRuleName(profile.snap.rule),
+                  TieRuleName(profile.tie_rule), profile.name.substr(0, profile.name.find('-'))));
 }
 
 void RequireSamples(const SubjectInfo& info) {
   if (!info.profile.squares) return;
   throw InputError(
       fmt::format("subject '{}'", info.name),
-      fmt::format("its profile {} states which whole pixels it covers, and no model of "
-                  "samples does",
-                  info.profile.name),
+      fmt::format("its profile {} is about whole pixels, not samples", info.profile.name),
       "judge it by rasterproof check, or state a profile of samples by --profile");
 }
 

@@ -22,7 +22,7 @@ namespace rasterproof::tool {
 /// with (kit/main.h). Mutants, plugins and programs have names too, but are not among these.
 std::vector<std::string> SubjectNames();
 
-/// A subject that was asked for by name: its profile is read and what it is is looked up, once.
+/// A subject resolved by name: its profile is read and its description asked for, once.
 class SubjectFactory {
  public:
   SubjectFactory(std::string name, SubjectMaker make)
@@ -52,7 +52,7 @@ std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string&
 void JudgeBy(const Profile& profile, Subject& subject);
 
 /// Says on standard error, once for each of them, that the preset of an API is one of the models
-/// that it leaves legal, so that nobody takes another legal one for wrong.
+/// that it leaves legal: a legal rasterizer may differ from it.
 void NotePreset(const Profile& profile);
 
 /// For commands that look for a model of samples. Throws InputError if the subject's profile states

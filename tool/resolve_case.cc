@@ -18,9 +18,9 @@ const props::Property& RequireProperty(const std::string& name) {
   if (const props::Property* property = props::FindProperty(name)) return *property;
   std::vector<std::string> names;
   for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
-  throw InputError(
-      fmt::format("property '{}'", name), "there is no such property" + io::RenamedText(name),
-      Suggestion(name, names) + "'rasterproof list properties' names all that there are");
+  throw InputError(fmt::format("property '{}'", name),
+                   "there is no such property" + io::RenamedText(name),
+                   Suggestion(name, names) + "'rasterproof list properties' names all");
 }
 
 const props::World& RequireWorld(const std::string& place, const std::string& name) {
@@ -28,7 +28,7 @@ const props::World& RequireWorld(const std::string& place, const std::string& na
   std::vector<std::string_view> names;
   for (const props::World& world : props::Worlds()) names.push_back(world.name);
   throw InputError(place, "there is no world " + Printable(name),
-                   Suggestion(name, names) + "'rasterproof list worlds' names all that there are");
+                   Suggestion(name, names) + "'rasterproof list worlds' names all");
 }
 
 CaseName RequireCaseName(const std::string& name) {

@@ -54,13 +54,12 @@ void RequireTakes(const Subject& subject, const Scene& scene, const std::string&
   }
   if (info.profile.fixed) {
     const FixedInput& fixed = *info.profile.fixed;
-    throw InputError(
-        place,
-        fmt::format("a coordinate is none that subject {} takes: fixed point {}.{}, {}", info.name,
-                    fixed.integer_bits, fixed.fraction_bits,
-                    fixed.is_signed ? "signed" : "unsigned"),
-        fmt::format("give multiples of 2^-{} from {} to {}", fixed.fraction_bits, fixed.Least(),
-                    fixed.Largest()));
+    throw InputError(place,
+                     fmt::format("subject {} does not take a coordinate: fixed point {}.{}, {}",
+                                 info.name, fixed.integer_bits, fixed.fraction_bits,
+                                 fixed.is_signed ? "signed" : "unsigned"),
+                     fmt::format("give multiples of 2^-{} from {} to {}", fixed.fraction_bits,
+                                 fixed.Least(), fixed.Largest()));
   }
   throw InputError(place, "the scene is float64 and subject " + info.name + " computes in float32",
                    "use a float64 subject (f64-..., spans-exact), or \"precision\": \"float32\"");
@@ -73,9 +72,9 @@ void RequireDrawsSamples(const Subject& subject, const Profile& profile, const s
   const int needed = profile.pattern.samples();
   if (drawn == needed) return;
   const auto samples = [](int n) { return n == 1 ? "one sample" : fmt::format("{} samples", n); };
-  const std::string remedy = fmt::format(
-      "name another subject, such as --subject exact{}",
-      is_fixed ? ", or a --plugin" : ", or state by --profile which samples this one draws");
+  const std::string remedy =
+      fmt::format("name another subject, such as --subject exact{}",
+                  is_fixed ? ", or a --plugin" : ", or state its samples by --profile");
   throw InputError(place,
                    fmt::format("subject {} draws {} a pixel, and this case has {}", info.name,
                                samples(drawn), needed),

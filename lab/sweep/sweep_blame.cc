@@ -81,8 +81,7 @@ class Exchange {
     std::vector<std::string> base;
     for (const std::string& source : sources) base.push_back(runner_.Compile(source, target_));
     if (Differs(base)) {
-      return {"", "",
-              "the flags of the link alone change it, whatever the files are compiled with"};
+      return {"", "", "only the link's flags change it"};
     }
     for (std::size_t k = 0; k < sources.size(); ++k) {
       std::vector<std::string> mixed = base;
@@ -164,7 +163,7 @@ class Exchange {
       const Half base = Apart(source, target_, with_locals);
       const Half other = Apart(source, compile_, with_locals);
       objects[k] = base.object;
-      if (Differs(objects)) return untold("the base draws otherwise without inlining");
+      if (Differs(objects)) return untold("the base draws differently without inlining");
       objects[k] = other.object;
       if (!Differs(objects)) return untold("inlined");
       objects.push_back("");

@@ -119,7 +119,7 @@ bool IsReplaced(std::string_view flag, const Choices& choices) {
 }
 
 InputError NoBuild(const std::string& word) {
-  return {fmt::format("--build: '{}'", word), "is no flag, compiler or target",
+  return {fmt::format("--build: '{}'", word), "is not a flag, compiler or target",
           "write gcc, clang, clang-19, i386, aarch64, or flags that begin with -"};
 }
 
@@ -315,7 +315,7 @@ std::string WhatIsMissing(const Choices& choices, bool has_cxx) {
     if (std::string missing = Missing(name); !missing.empty()) return missing;
   }
   if (ValueOf(choices, Kind::kTarget, "x86-64") == "i386" && !RunsI386())
-    return "this machine runs no programs of i386";
+    return "this machine can't run i386 programs";
   for (const Choice& c : choices) {
     constexpr std::string_view kMarch = "-march=";
     if (c.value.starts_with(kMarch) && !HasLevel(c.value.substr(kMarch.size()))) {

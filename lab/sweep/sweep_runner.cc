@@ -54,7 +54,7 @@ std::string FirstError(const std::string& output) {
       if (line.find(sign) != std::string::npos) return line;
     }
   }
-  return first.empty() ? "it fails and says nothing" : first;
+  return first.empty() ? "it fails without a message" : first;
 }
 
 // The samples of one case that a build draws otherwise than the base; added to `changes`, too.
@@ -86,7 +86,7 @@ props::Reading ReadChanges(const props::PlacedCase& c, std::size_t number,
 SweepFolder::SweepFolder() {
   std::string name = (fs::temp_directory_path() / "rasterproof_sweep.XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
-    throw InputError(name, "no folder can be made there", "set TMPDIR to one that can be written");
+    throw InputError(name, "it can't hold a new folder", "set TMPDIR to one that can be written");
   }
   folder_ = name;
 }
@@ -107,7 +107,7 @@ SweepRunner::SweepRunner(SweepSettings settings) : settings_(std::move(settings)
       throw InputError(source, "there is no such file", "give C or C++ sources of a plugin");
     }
     if (!IsCxx(source) && fs::path(source).extension() != ".c") {
-      throw InputError(source, "its name ends as no C or C++ source's does",
+      throw InputError(source, "it is not named as a C or C++ source",
                        "give files that end with .c, .cc, .cpp or .cxx");
     }
     has_cxx_ = has_cxx_ || IsCxx(source);
@@ -230,12 +230,12 @@ void SweepRunner::DrawBase(std::uint64_t seed, std::uint64_t count, const std::s
     const CallEnd& end = base_[k].end;
     if (!EndsTheCall(end.stop)) continue;
     throw InputError("the base on " + cases_[k].origin, end.why,
-                     "mend that first: rasterproof check shows it");
+                     "correct that first: 'rasterproof check' shows it");
   }
   const SweepOutcome again = Compare(program, {});
   if (!again.HasDrawn() || again.Differs()) {
     throw InputError("the base", "it draws the same cases differently from run to run",
-                     "mend that first: check --property EqualDrawsGiveEqualCounts");
+                     "correct that first: check --property EqualDrawsGiveEqualCounts");
   }
 }
 

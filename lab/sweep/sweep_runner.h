@@ -29,7 +29,7 @@ class SweepFolder {
   ~SweepFolder();
   SweepFolder(const SweepFolder&) = delete;
   SweepFolder& operator=(const SweepFolder&) = delete;
-  /// A path in it that nobody was given before.
+  /// A new path in it.
   std::string NewPath(const std::string& ending);
 
  private:

@@ -72,7 +72,7 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 /// Each suspect (suspect.h) is compared with the subject on the same draws: those of the failing
 /// cases, and others around them. A suspect that draws one of them otherwise is refuted. What is
 /// left must foretell draws more in which it differs from the stated model. If none is left, those
-/// are looked for that explain all draws together, or each some of them and all of them all; never
+/// are searched that explain all draws together, or each some of them and all of them all; never
 /// is one named that leaves a draw unexplained. Then comes what about the failing draws must be so.
 ///
 /// Domain:     properties that subjects of `make` violate; each call makes another of them, which

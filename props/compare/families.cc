@@ -57,9 +57,9 @@ std::string WhyNotDrawn(const Family& family, const SubjectInfo& info, const Fam
   }
   if (const Domain* domain = family.domain; domain != nullptr) {
     if (domain->is_stated != nullptr && !domain->is_stated(info.profile)) {
-      return "the profile states nothing that the family is about";
+      return "the profile says nothing about the family";
     }
-    return Suits(*domain, info) ? "" : "the subject takes none of the family's scenes";
+    return Suits(*domain, info) ? "" : "the subject takes no scene of the family";
   }
   if ((family.world->cases - 1) / kMostOfWorld >= plan.cases) {
     return "the world has " + std::to_string(family.world->cases) + " cases, more than " +

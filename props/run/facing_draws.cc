@@ -19,7 +19,7 @@ namespace {
 DrawJob Only(const DrawJob& job, std::optional<std::vector<Triangle>> triangles) {
   DrawJob part = job;
   part.triangles = std::move(triangles);
-  part.wants = kCoverageAndPrimitiveIds;  // that an id is of the scene is looked at, whoever asks
+  part.wants = kCoverageAndPrimitiveIds;  // ids are always validated
   return part;
 }
 

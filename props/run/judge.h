@@ -49,9 +49,8 @@ auto WorkedOut(const std::string& place, const Work& work) {
     throw;
   } catch (const std::bad_alloc&) {
     throw JudgingFault(place +
-                       "rasterproof's own memory ran out (no option limits it: 'ulimit -v', "
-                       "a container, or the machine); leave out --exhaustive large-target, "
-                       "or run with fewer --jobs");
+                       "rasterproof itself ran out of memory (limited by 'ulimit -v', a container "
+                       "or the machine); leave out --exhaustive large-target, or lower --jobs");
   } catch (const std::exception& error) {
     throw JudgingFault(place + error.what());
   }

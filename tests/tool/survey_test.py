@@ -86,7 +86,7 @@ class Survey(unittest.TestCase):
                    "--survey", self.folder)  # fmt: skip
         done = run(*certify)
         self.assertEqual(done.returncode, 2)
-        self.assertIn(b"the folder has no survey", done.stderr)
+        self.assertIn(b"the folder holds no survey", done.stderr)
         surveys = [os.path.join(self.folder, name) for name in ("a.json", "b.json")]
         for path, subject in zip(surveys, ("--subject=f32-direct", f"--exec={MISBEHAVES} crashes")):
             run("survey", subject, *FEW, "--json", path)

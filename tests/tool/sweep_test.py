@@ -227,7 +227,7 @@ class Sweep(unittest.TestCase):
 
     def test_what_is_no_source_is_refused(self):
         for name, says in (("absent.c", "there is no such file"),
-                           ("../sweep_test.py", "ends as no C or C++ source's does")):  # fmt: skip
+                           ("../sweep_test.py", "is not named as a C or C++ source")):  # fmt: skip
             done, _ = sweep(name)
             self.assertEqual(done.returncode, 2, done.stderr)
             self.assertIn(says, done.stderr)
@@ -280,7 +280,7 @@ class Sweep(unittest.TestCase):
     def test_a_word_of_a_build_that_is_none_is_refused(self):
         done, _ = sweep("robust.c", more=["--build", "msvc -O3"])
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertIn("--build: 'msvc': is no flag, compiler or target", done.stderr)
+        self.assertIn("--build: 'msvc': is not a flag, compiler or target", done.stderr)
 
     def test_doctor_lists_the_tools(self):
         done = subprocess.run([PROGRAM, "doctor"], capture_output=True, text=True, check=False)

@@ -295,8 +295,7 @@ int ExplainDrawing(const ExplainOptions& options, io::CaseFile file) {
       Explain(MakeOracle("exact", c.profile)->Info(), c, verdict, again);
   ShowExplanation(
       options, explanation,
-      "expected: what the canonical model of the profile covers; the drawing may differ "
-      "from it and be legal\n");
+      "expected: the canonical model of the profile; a legal drawing may differ from it\n");
   return StatusOf(found.legality);
 }
 
@@ -360,9 +359,9 @@ int RunConvert(const ConvertOptions& options) {
   c.origin.clear();
   const std::vector<std::uint8_t> bytes = props::EncodeCase(c, info);
   if (!props::SameCase(props::DecodeCase(bytes, info), c)) {
-    throw InputError(options.choice.path, "it has more, or other options, than a fuzz input holds",
-                     "leave out options that the subject does not take, and give at most 65536 "
-                     "vertices and triangles");
+    throw InputError(
+        options.choice.path, "it does not fit a fuzz input",
+        "give at most 65536 vertices and triangles, and only options that the subject takes");
   }
   io::WriteOutput(options.output, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
   return kExitHolds;

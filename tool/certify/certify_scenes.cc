@@ -43,7 +43,7 @@ using Clock = std::chrono::steady_clock;
 std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
   if (!scene.clip_space && !info.takes_window) return "the scene is in window space";
-  return info.profile.fixed ? "coordinates that the subject's integers do not hold"
+  return info.profile.fixed ? "coordinates out of range of the subject's integers"
                             : "the scene is float64";
 }
 
@@ -59,7 +59,7 @@ CallEnd InWords(Stop stop, const std::string& why) {
   if (IsBreakdown(stop)) return {stop, "the subject failed: " + why};
   if (IsALimit(stop)) return {stop, "not judged: " + why};
   if (stop == Stop::kRefused) return {stop, "the subject refused it: " + why};
-  return {stop, "it can't be given to the subject: " + why};
+  return {stop, "the subject can't take it: " + why};
 }
 
 Attempt TryToDraw(Subject& subject, const Scene& scene) {
@@ -99,9 +99,7 @@ Attempt TryInTime(Subject& subject, const Scene& scene, props::Pace& pace) {
     ++pace.silent;
   }
   if (is_short && attempt.end.stop == Stop::kDeadline) {
-    attempt.end.why =
-        "no answer within the short time that a scene gets since the subject hung on "
-        "another one (--time-limit)";
+    attempt.end.why = "no answer in time; after a hang, scenes get less than --time-limit";
   }
   return attempt;
 }
@@ -214,7 +212,7 @@ PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measur
         break;
       case legal::Legality::kNotJudged:
         result.outcome = Outcome::kNotExercised;
-        result.message = fmt::format("a component of {} triangles is too large to be judged",
+        result.message = fmt::format("a component of {} triangles is too large to judge",
                                      verdict.largest_given_up);
         break;
     }
@@ -272,7 +270,7 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
   const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : Located(path);
   if (!found) {
     throw InputError(kSceneSet,
-                     fmt::format("no scene set lies beside the command (looked in {})",
+                     fmt::format("there is no scene set beside the command (looked in {})",
                                  fmt::join(SharedFolders(), ", ")),
                      "name one with --scenes FILE");
   }

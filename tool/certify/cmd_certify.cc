@@ -290,7 +290,7 @@ std::string Summary(const std::vector<report::Certificate>& certificates, std::s
     if (!survey) text += Remarks(certificate);
   }
   if (Interrupted()) {
-    text += fmt::format("interrupted: {} of {} subjects begun; this is what is known so far\n",
+    text += fmt::format("interrupted: {} of {} subjects begun; results so far:\n",
                         certificates.size(), asked);
   }
   return text;
@@ -341,9 +341,9 @@ int RunParts(const CertifyOptions& options, const Source& source) {
 void RequireForAPart(const CertifyOptions& options) {
   const std::string place = options.range ? "--cases A..B" : "--shard";
   const auto refuse = [&](const std::string& option, const std::string& remedy) {
-    throw InputError(place, "a part of a campaign takes no " + option, remedy);
+    throw InputError(place, "a part of a campaign does not take " + option, remedy);
   };
-  if (options.campaign.seconds > 0) refuse("--seconds", "say how many cases, not how long");
+  if (options.campaign.seconds > 0) refuse("--seconds", "give --cases instead");
   if (!options.scene_set.empty())
     refuse("--scenes", "give it to --merge, which measures the scenes");
   if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to --merge");

@@ -47,7 +47,7 @@ std::string Found(const Cause& cause, const props::Causes& causes) {
       return fmt::format("no suspect explains it; what is drawn wrong is right {}",
                          cause.what.front());
     case CauseKind::kShownValues:
-      return fmt::format("{}the fault is in values that are shown beside coverage: {}",
+      return fmt::format("{}the fault is in values shown beside coverage: {}",
                          causes.wrong == 0 ? fmt::format("all {} are as stated; ",
                                                          Counted(causes.draws, "draw", "draws"))
                                            : "",
@@ -92,8 +92,8 @@ std::string CausesText(const Findings& found) {
   }
   if (found.causes.is_cut_short) {
     text +=
-        "  the search for causes was cut short: another suspect may explain them as well; "
-        "--cause-seconds gives it more time\n";
+        "  the search for causes ran out of time and may have missed another suspect; raise "
+        "--cause-seconds\n";
   }
   const auto named = std::ranges::count_if(
       causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });

@@ -310,7 +310,7 @@ void NoteOtherProfile(const SubjectInfo& info, const GivenCase& given,
   if (!given.states_profile || !options.profile.empty()) return;
   if (SameModel(given.value.profile, info.profile)) return;
   Tell(fmt::format(
-      "note: {}: judged by {}'s profile {}, which is not the file's, {}: --profile names another\n",
+      "note: {}: judged by {}'s profile {}, not by the file's, {}; choose with --profile\n",
       given.place, info.name, Quoted(info.profile.name, 60), Quoted(given.value.profile.name, 60)));
 }
 
@@ -358,7 +358,7 @@ std::string Hint(const std::string& subject, const Findings& found, const std::s
   CaseChoice choice;
   choice.subject = subject;
   choice.profile = profile;
-  return fmt::format("what profile it does follow: {}\n", CommandFor("infer", choice));
+  return fmt::format("to find the profile that it follows: {}\n", CommandFor("infer", choice));
 }
 
 // An entry may name the subject as it does itself, which is the same wherever its files lie.
@@ -425,7 +425,7 @@ int RunCheck(const CheckOptions& options) {
   if (Interrupted()) status = WorseStatus(status, kExitInconclusive);
   if (!options.json.empty()) io::WriteOutput(options.json, CheckJson(all, status));
   if (!Interrupted()) return status;
-  if (options.json != "-") io::WriteStandardOutput("interrupted: this is what was found so far\n");
+  if (options.json != "-") io::WriteStandardOutput("interrupted; results so far:\n");
   return WorseStatus(status, kExitInconclusive);
 }
 

@@ -160,7 +160,7 @@ std::string LastLine(const Findings& found) {
   }
   if (const auto quality = QualityOf(found)) line += fmt::format(", {} short of quality", quality);
   if (const auto known = Known(found)) line += fmt::format(", {} known to fail", known);
-  if (found.expired != 0) line += fmt::format(", {} known until a day that is past", found.expired);
+  if (found.expired != 0) line += fmt::format(", {} known but expired", found.expired);
   if (found.not_asked != 0)
     line += fmt::format(", {} not asked after the first failure", found.not_asked);
   std::uint64_t cases = 0;

@@ -10,26 +10,26 @@
 
 namespace rasterproof::tool {
 
-/// What goes through a pipe by hand: pipe ask | PROGRAM | pipe judge.
+/// Options of a user's own pipe: pipe ask | PROGRAM | pipe judge.
 struct PipeOptions {
   std::string property = "CoverageEqualsTheModel";
-  std::string description;  ///< file; empty: what is assumed of a program that says nothing
-  std::string profile;      ///< in place of the description's
+  std::string description;  ///< file; empty: the default description
+  std::string profile;      ///< instead of the description's
   props::CampaignOptions campaign;
 };
 int RunAsk(const PipeOptions& options);
 int RunJudge(const PipeOptions& options);
 
-/// A program that does not run here, asked in rounds.
+/// A program that runs elsewhere and answers in rounds.
 struct RoundsOptions {
   std::string folder;       ///< of the rounds' files
-  std::string description;  ///< file; empty: what is assumed of a program that says nothing
-  std::string profile;      ///< in place of the description's
+  std::string description;  ///< file; empty: the default description
+  std::string profile;      ///< instead of the description's
 };
 
 struct ShrinkRoundsOptions {
   RoundsOptions rounds;
-  CaseChoice choice;   ///< its subject and its profile play no role
+  CaseChoice choice;   ///< its subject and profile are ignored
   std::string output;  ///< file for the smallest case
   std::uint64_t evaluations = 10000;
 };

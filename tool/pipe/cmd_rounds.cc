@@ -72,8 +72,7 @@ int TellChanged(const ChangedAnswer& changed) {
 
 int TellWaiting(const Rounds& rounds) {
   io::WriteStandardOutput(fmt::format(
-      "inconclusive so far: {} is not there yet; let the program write it, then run the same "
-      "command again\n",
+      "inconclusive so far: {} is missing; let the program write it, then repeat this command\n",
       *rounds.waits_for()));
   return kExitInconclusive;
 }
@@ -82,8 +81,8 @@ int TellAsked(Rounds& rounds) {
   const std::size_t requests = rounds.asked();
   const std::size_t number = rounds.Write();
   io::WriteStandardOutput(fmt::format(
-      "inconclusive so far: round {} asks {} requests in {}; let the program answer them into {}, "
-      "then run the same command again\n",
+      "inconclusive so far: round {} has {} requests in {}; let the program write its answers to "
+      "{}, then repeat this command\n",
       number, requests, rounds.PathOf(number, "requests"), rounds.PathOf(number, "answers")));
   return kExitInconclusive;
 }
@@ -160,8 +159,7 @@ void RequireShrinkable(const LoadedCase& loaded) {
   const props::Property& property = PropertyOf(loaded);
   if (!property.is_about_sequence) return;
   throw InputError(fmt::format("property {}", property.name),
-                   "it is about what one call leaves to the next, and a file of requests is no "
-                   "sequence of calls",
+                   "it needs a sequence of calls, and a file of requests is one call",
                    "shrink it where the program runs: replay --shrink --exec");
 }
 

@@ -118,7 +118,7 @@ void Rounds::RequireTask(std::string_view name, std::string_view value) const {
   const auto it = std::ranges::find(task_, name, [](const auto& item) { return item.first; });
   if (it != task_.end() && it->second == value) return;
   throw InputError(StatePath(), fmt::format("its rounds are about another {}", name),
-                   "give the command that began them, or another folder");
+                   "repeat the command that began them, or give another folder");
 }
 
 void Rounds::ReadState() {
@@ -188,7 +188,7 @@ void Rounds::ReadRound(std::size_t number) {
   const std::string hash = HashText(round.answers);
   if (!round.hash_of_answers.empty() && hash != round.hash_of_answers) {
     throw InputError(answered, "it changed after it was read",
-                     "put back what was read, or begin again in another folder");
+                     "restore it, or begin again in another folder");
   }
   AnswersText text(round.answers, 0, 1);
   std::size_t read = 0;
@@ -230,12 +230,12 @@ void Rounds::Note(const DrawJob& job, const Place& place) {
   };
   ++first.times;
   if (said_at(first) == said_at(place)) return;
-  throw ChangedAnswer(fmt::format(
-      "{}: line {}: request {} asks what request {} asked, and the answer differs from the one in "
-      "{}, line {}: the program is not deterministic; let it draw the same again in the same way, "
-      "and begin again in another folder",
-      PathOf(place.round, "answers"), place.line, place.id, first.id,
-      PathOf(first.round, "answers"), first.line));
+  throw ChangedAnswer(
+      fmt::format("{}: line {}: request {} asks what request {} asked, and the answer differs from "
+                  "the one in {}, line {}: the program is not deterministic; make it so, and begin "
+                  "again in another folder",
+                  PathOf(place.round, "answers"), place.line, place.id, first.id,
+                  PathOf(first.round, "answers"), first.line));
 }
 
 std::optional<DrawOutcome> Rounds::Find(const DrawJob& job) const {
@@ -264,8 +264,8 @@ std::size_t Rounds::Write() {
   io::MakeFolder(folder_);
   const std::string answers = PathOf(rounds_.size() + 1, "answers");
   if (std::filesystem::exists(answers)) {
-    throw InputError(answers, "it is there before anything was asked",
-                     "remove it: it is of other rounds");
+    throw InputError(answers, "it exists before anything was asked",
+                     "remove it: it belongs to other rounds");
   }
   Round& round = rounds_.emplace_back();
   const std::string requests = subjects::RequestsText(last_id_ + 1, asked_, info_);

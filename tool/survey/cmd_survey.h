@@ -10,7 +10,7 @@ namespace rasterproof::tool {
 
 struct SurveyOptions {
   std::string subject = "spans-exact";
-  std::string profile;  ///< stated in place of the subject's own
+  std::string profile;  ///< used instead of the subject's own
   props::CampaignOptions campaign{.cases = 2000};
   std::string json;  ///< file; empty: none
   std::string save;  ///< folder for the worst case of each cell that fails

@@ -37,7 +37,7 @@ namespace {
 std::string Driver() {
   std::optional<std::string> driver = FindShared("kit/plugin_driver.c");
   if (!driver) {
-    throw InputError("kit/plugin_driver.c", "it does not lie beside the command",
+    throw InputError("kit/plugin_driver.c", "it is missing beside the command",
                      "run the command where it was built");
   }
   return *driver;
@@ -77,7 +77,7 @@ int RunSweep(const SweepOptions& options) {
   } catch (const lab::BuildFailure& failure) {
     std::cerr << "rasterproof: " << report::CleanText(lab::BuildName({}))
               << ": the base is not built: " << report::CleanText(failure.what())
-              << "; mend that, or give --cflags\n";
+              << "; correct it, or give --cflags\n";
     return kExitFault;
   }
   Progress progress(static_cast<std::size_t>(options.jobs));

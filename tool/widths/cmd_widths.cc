@@ -57,7 +57,7 @@ exact::EdgeUnit UnitOf(const WidthsOptions& options) {
   const bool is_format = format && format->first >= 1 && format->first <= kMaxIntegerBits &&
                          format->second >= 0 && format->second <= kMaxSubpixelBits;
   if (!is_format) {
-    throw InputError("--fixed " + Quoted(options.fixed, 40), "it is no format of coordinates",
+    throw InputError("--fixed " + Quoted(options.fixed, 40), "it is not a coordinate format",
                      fmt::format("give the bits before and after the point, as 12.4: 1 to {} and "
                                  "0 to {}",
                                  kMaxIntegerBits, kMaxSubpixelBits));
@@ -66,7 +66,7 @@ exact::EdgeUnit UnitOf(const WidthsOptions& options) {
   const auto target = TwoNumbers(options.target, 'x');
   const auto is_side = [](int side) { return side >= 1 && side <= kMaxTargetSide; };
   if (!target || !is_side(target->first) || !is_side(target->second)) {
-    throw InputError("--target " + Quoted(options.target, 40), "it is no size of a target",
+    throw InputError("--target " + Quoted(options.target, 40), "it is not a target size",
                      fmt::format("give width and height, as 4096x4096: 1 to {}", kMaxTargetSide));
   }
   unit.width = target->first;

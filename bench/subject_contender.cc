@@ -264,11 +264,11 @@ class ProgramContender final : public SubjectContender {
     if (one > kLong && takes_longer(kFewDraws)) return;
     while (!takes_longer(draws_)) {
       if (draws_ == kMostDraws) {
-        throw SubjectStop(Stop::kNotDrawable,
-                          "its answer to " + std::to_string(kMostDraws) +
-                              " draws takes no longer than to one: it says 'takes repeats' and "
-                              "draws once, or a draw is nothing beside its request; leave out "
-                              "'repeats', or give larger scenes");
+        throw SubjectStop(
+            Stop::kNotDrawable,
+            "its answer to " + std::to_string(kMostDraws) +
+                " draws takes no longer than to one: it ignores 'takes repeats', or a draw costs "
+                "nothing beside its request; leave out 'repeats', or give larger scenes");
       }
       draws_ *= 2;
     }

@@ -36,7 +36,7 @@ enum class BenchClock : std::uint8_t {
   kWall      ///< elapsed time alone: what draws runs elsewhere
 };
 
-/// One way to draw: what is timed and put to the test.
+/// One way to draw, timed and tested.
 struct BenchMethod {
   std::string name;     ///< "f32-direct", "kernel-exact", "mine.so"
   std::string summary;  ///< one line
@@ -106,9 +106,9 @@ struct BenchWitness {
 struct BenchErrors {
   std::uint64_t missing = 0;     ///< pairs that it should cover
   std::uint64_t unexpected = 0;  ///< pairs that it should not
-  /// Of all wrong pairs: at most a pixel from an edge. The share of the wrong is theirs.
+  /// Wrong pairs at most a pixel from an edge. The error rate counts only these.
   std::uint64_t beside_edges = 0;
-  /// Of the missing pairs: of triangles of 16 pairs and more that it drew nothing of.
+  /// Missing pairs of triangles with 16 pairs or more of which nothing was drawn.
   std::uint64_t lost = 0;
   /// Largest distance of a wrong sample, not lost, from the triangle's boundary: how far an edge
   /// has to move to make the decision right. Pixels.
@@ -149,7 +149,7 @@ struct BenchRow {
   /// What it costs to turn the family's vertices into its own and its answer into counts, seconds
   /// a triangle; not part of the time. NaN: nothing is converted.
   double conversion_seconds = std::numeric_limits<double>::quiet_NaN();
-  /// The time is that of storing what is covered, or less than twice that.
+  /// Storing the covered samples takes more than half of the time.
   bool binds_at_store = false;
   /// Whether its decisions were judged; else the errors say nothing.
   bool is_judged = false;
@@ -200,7 +200,7 @@ struct BenchCurve {
 };
 
 /// Up to which value of a parameter a method is right. Failing is not monotone: between what is
-/// proved and what is first seen failing nothing is stated.
+/// proved and first seen failing nothing is stated.
 struct BenchCliff {
   std::uint32_t method = 0;
   std::uint32_t parameter = 0;

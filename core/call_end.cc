@@ -20,7 +20,7 @@ CallEnd EndOf(const std::function<void()>& call) {
   } catch (const std::exception& other) {
     return {Stop::kBrokeDown, std::string("it threw: ") + other.what()};
   } catch (...) {
-    return {Stop::kBrokeDown, "it threw something that is no std::exception"};
+    return {Stop::kBrokeDown, "it threw something other than a std::exception"};
   }
 }
 

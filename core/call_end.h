@@ -20,7 +20,7 @@ enum class Stop : std::uint8_t {
   kHung,         ///< it broke down by giving no answer at all: a finding too
   kTooSlow,      ///< it exceeded its time limit: neither a finding nor a pass
   kOutOfMemory,  ///< it exceeded its memory limit: neither a finding nor a pass
-  kDeadline      ///< the deadline of SetDeadline came first, which says nothing about the subject
+  kDeadline      ///< the deadline of SetDeadline passed first: no finding about the subject
 };
 
 /// Whether the subject broke down: a finding.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/case.h"
@@ -14,10 +15,11 @@ namespace rasterproof {
 
 /// The cases of one row by one yardstick.
 struct Cell {
-  std::uint64_t cases = 0;    ///< compared, or that broke the subject down
-  std::uint64_t wrong = 0;    ///< of these, cases with a wrong sample or a breakdown
-  std::uint64_t ended = 0;    ///< of the wrong cases, those that broke the subject down
-  std::uint64_t by_snap = 0;  ///< of the wrong cases, those that the snap alone explains
+  std::uint64_t cases = 0;      ///< compared, or that broke the subject down
+  std::uint64_t wrong = 0;      ///< of these, cases with a wrong sample or a breakdown
+  std::uint64_t ended = 0;      ///< of the wrong cases, those that broke the subject down
+  std::uint64_t by_snap = 0;    ///< of the wrong cases, those that the snap alone explains
+  std::uint64_t triangles = 0;  ///< of the compared cases that have a drawing
   std::uint64_t samples = 0;
   std::uint64_t wrong_samples = 0;
   /// How far the wrong sample furthest off lies from the nearest edge of its scene, in pixels: what
@@ -25,7 +27,7 @@ struct Cell {
   double furthest = 0;
   std::optional<Case> worst = {};     ///< the case of that sample; the first one of equals
   std::optional<Case> ended_on = {};  ///< the first case that broke the subject down
-  std::uint64_t excused = 0;          ///< cases that the yardstick or the subject says nothing of
+  std::uint64_t excused = 0;          ///< cases outside what the yardstick or the subject covers
   std::uint64_t refused = 0;          ///< of these, by the subject
   std::string why = {};               ///< of the first breakdown, else of the first excused case
   bool has_hung = false;              ///< it broke down by giving no answer
@@ -41,17 +43,22 @@ struct Cell {
   const Case* Worst() const { return ended_on ? &*ended_on : worst ? &*worst : nullptr; }
 };
 
+/// What else is known of a row or a subject, by name: {"file", "edge.c"}.
+using Facts = std::vector<std::pair<std::string, std::string>>;
+
 /// What the cases of a row have in common.
 struct ComparedRow {
   std::string name;
   std::string summary;
   std::string theme;  ///< what they are hard for
   std::string right;  ///< what a right rasterizer does
+  Facts facts = {};
 };
 
 struct ComparedSubject {
   std::string name;
   std::vector<std::vector<Cell>> cells;  ///< by row, then by yardstick
+  Facts facts = {};
 };
 
 /// Cases by yardsticks, of some subjects.

@@ -14,7 +14,7 @@
 
 namespace rasterproof {
 
-/// What a caller, or a library beside it, may have left behind in the thread that draws.
+/// Modes that a caller, or a library that it uses, may leave set in the thread that draws.
 enum class FloatMode : std::uint8_t {
   kUsual,             ///< rounds to nearest, keeps subnormal numbers, traps nothing
   kFlushToZero,       ///< subnormal results become 0

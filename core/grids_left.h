@@ -1,4 +1,4 @@
-// Subpixel grids that are left of those that a profile allows, once a subject has drawn.
+// Subpixel grids of a profile that a subject's drawings have not refuted.
 #ifndef RASTERPROOF_CORE_GRIDS_LEFT_H_
 #define RASTERPROOF_CORE_GRIDS_LEFT_H_
 

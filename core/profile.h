@@ -52,20 +52,20 @@ enum class DegenerateTriangles : std::uint8_t {
 /// The statement about a triangle with an infinite x, y or w.
 enum class InfiniteVertex : std::uint8_t {
   kNothing,     ///< it covers nothing
-  kUnspecified  ///< it may cover anything: what it covers is not judged
+  kUnspecified  ///< it may cover anything: not judged
 };
 
 /// The statement about a triangle with a NaN in x, y or w.
 enum class NanVertex : std::uint8_t {
   kNothing,     ///< it covers nothing
-  kUnspecified  ///< it may cover anything: what it covers is not judged
+  kUnspecified  ///< it may cover anything: not judged
 };
 
 /// The statement about a triangle with a NaN in z alone.
 enum class NanZ : std::uint8_t {
   kIgnored,     ///< it covers what it would with any other z
   kNothing,     ///< it covers nothing
-  kUnspecified  ///< it may cover anything: what it covers is not judged
+  kUnspecified  ///< it may cover anything: not judged
 };
 
 /// The largest triangle that is drawn, in pixels: a wider or higher one covers nothing.

@@ -83,7 +83,7 @@ struct PropertyResult {
   std::string tolerance;                          ///< the named bound, or "none: exact"
   std::string world;              ///< the small world that it ran over; empty: random cases
   std::uint64_t world_cases = 0;  ///< cases of the world
-  /// Whether it says if one legal model explains what was drawn of a real scene.
+  /// Whether it says if one legal model explains the drawing of a real scene.
   bool is_of_a_scene = false;
   std::uint64_t seed = 0;
 

@@ -43,7 +43,7 @@ std::string_view AddRow(std::string_view digits, std::size_t row, std::size_t ro
   if (digits.empty()) return "is empty";
   for (std::size_t k = 0; k < digits.size(); ++k) {
     const int value = ValueOfHexDigit(digits[digits.size() - 1 - k]);
-    if (value < 0) return "has a character that is no hexadecimal digit";
+    if (value < 0) return "has a character that is not a hexadecimal digit";
     for (std::size_t bit = 0; bit < 4; ++bit) {
       if ((static_cast<unsigned>(value) >> bit & 1U) == 0) continue;
       if (4 * k + bit >= row_length) return "has a bit beyond the target's last column";

@@ -1,4 +1,4 @@
-// Profiles of those who speak of pixels as squares.
+// Profiles of specifications that treat pixels as squares.
 #ifndef RASTERPROOF_CORE_SQUARE_PRESETS_H_
 #define RASTERPROOF_CORE_SQUARE_PRESETS_H_
 
@@ -10,7 +10,7 @@
 
 namespace rasterproof {
 
-/// A preset with squares, and what it takes from where.
+/// A preset with squares and its source.
 struct SquarePresetInfo {
   std::string_view name;
   std::string_view summary;

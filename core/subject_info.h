@@ -70,7 +70,7 @@ inline constexpr std::size_t kListLengthOfPrograms = (std::size_t{1} << 8) + 1;
 
 /// The description of a subject: its profile, the scenes it takes and the outputs it shows.
 struct SubjectInfo {
-  std::string name;  ///< the one that commands take: a path, of what is outside this program
+  std::string name;  ///< the one that commands take; for plugins and programs a path
   std::string summary;
   /// The profile that its coverage is judged by.
   Profile profile;
@@ -107,7 +107,7 @@ struct SubjectInfo {
   bool states_exact = false;
   /// The proofs about its arithmetic. Only methods of reference/ have any.
   std::vector<Proof> proofs;
-  /// Of what is outside this program: the name that it gives itself. Empty: none.
+  /// The name that a plugin or program gives itself. Empty: none.
   std::string stated_name;
 };
 

@@ -1,4 +1,4 @@
-// A case as a conformance test takes it along: what is drawn, and what legal drawings agree on.
+// A case for a conformance test: the scene, and what all legal drawings agree on.
 #ifndef RASTERPROOF_CORE_TEST_VECTOR_H_
 #define RASTERPROOF_CORE_TEST_VECTOR_H_
 
@@ -42,7 +42,7 @@ struct JointVector {
   friend bool operator==(const JointVector&, const JointVector&) = default;
 };
 
-/// A scene with what is required of it.
+/// A scene with its required coverage.
 ///
 /// Shape:      samples are indices in counts of the scene's target: [row][column][sample].
 struct TestVector {

@@ -1,4 +1,4 @@
-// Where a property failed, and what was seen and expected there: numbers, told at the end.
+// Where a property failed, with observed and expected values as numbers; printing comes last.
 #ifndef RASTERPROOF_CORE_WITNESS_H_
 #define RASTERPROOF_CORE_WITNESS_H_
 

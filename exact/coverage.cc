@@ -99,7 +99,7 @@ std::optional<InputError> WhyNotDecided(const PlacedScene& scene) {
     return error;
   }
   if (profile.squares && scene.scene.clip_space) {
-    return InputError("profile \"" + profile.name + "\"", "its squares are of window space",
+    return InputError("profile \"" + profile.name + "\"", "its squares need window space",
                       "give vertices [x, y]");
   }
   return scene.why_not_placed ? scene.why_not_placed : LocationError(profile);

@@ -35,7 +35,7 @@ void PlacedScene::Place() {
   if (!PlacesClipSpace(profile)) {
     why_not_placed =
         InputError("profile \"" + profile.name + "\"",
-                   "its fixed-point input, largest extent or rounded crossings are of window space",
+                   "its fixed-point input, largest extent or rounded crossings need window space",
                    "give vertices [x, y]");
   } else if (!profile.snap.IsNone()) {
     why_not_placed = SnapClipError(scene, profile);

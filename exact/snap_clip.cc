@@ -75,7 +75,7 @@ std::optional<int> SnappedClipFacing(const std::array<Vertex, 3>& v, const Snap&
 std::optional<InputError> SnapClipError(const Scene& scene, const TargetProfile& profile) {
   if (profile.snap.form != SnapForm::kCoordinate) {
     return InputError("profile \"" + profile.name + "\"",
-                      "its snap form says nothing of the quotient x / w",
+                      "its snap form does not cover the quotient x / w",
                       "give window-space vertices, or a profile that snaps coordinates");
   }
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {

@@ -44,7 +44,7 @@ struct Mesh {
 Mesh MeshOf(const PlacedScene& scene, const SampleFrame& frame) {
   if (scene.placed.clip_space) {
     throw InputError("scene \"" + scene.scene.name + "\"",
-                     "boundary winding is a matter of window space, and its vertices have w",
+                     "boundary winding needs window space, and its vertices have w",
                      "project the scene, or use homogeneous coverage");
   }
   Mesh mesh;

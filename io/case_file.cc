@@ -146,8 +146,7 @@ void RequireCaseVersion(const JsonValue& object) {
   if (version.RequireInteger(0, INT32_MAX) == kCaseVersion) return;
   throw version.Error(
       "version " + std::string(version.text()) + " is unknown",
-      "this program reads version 2, which has other words than version 1: write 2, "
-      "and each old word is named with its new one");
+      "this program reads version 2: write 2, and it names the new word for each old one");
 }
 
 CaseFile CaseFromJson(const JsonValue& object) {

@@ -40,7 +40,7 @@ struct CaseFile {
   /// The scene that the property drew, for the reader: the property derives it from the case again.
   std::shared_ptr<const DrawnScene> drawn = nullptr;
   bool states_profile = false;  ///< else value.profile is "real"
-  /// The drawing that is judged in place of one that a subject makes.
+  /// The drawing to judge instead of a subject's.
   std::optional<CaseDrawing> drawing = std::nullopt;
 };
 

@@ -197,7 +197,7 @@ void ReadRow(std::string_view line, std::size_t number, const std::string& path,
     std::uint32_t count = 0;
     const auto [next, error] = std::from_chars(at, end, count);
     if (error != std::errc()) {
-      throw InputError(place, "is no list of counts", "write whole numbers, space-separated");
+      throw InputError(place, "is not a list of counts", "write whole numbers, space-separated");
     }
     if (column < row_length) counts.front[number * row_length + column] = count;
     ++column;
@@ -242,7 +242,7 @@ std::uint32_t CoveredBy(std::uint32_t level, std::uint32_t white, int samples,
   if (std::abs(off) <= slack) return covered;
   throw InputError(place,
                    "the level " + std::to_string(level) + " of " + std::to_string(white) +
-                       " is no share of " + std::to_string(samples) + " samples",
+                       " is not a share of " + std::to_string(samples) + " samples",
                    "draw white on black, without dithering, gamma or blending");
 }
 

@@ -99,7 +99,7 @@ class JsonBuilder {
     }
     if (++keys_.back() > JsonDocument::kMaxKeys) {
       throw object.Error("has more than " + std::to_string(JsonDocument::kMaxKeys) + " keys",
-                         "no object of this format has so many");
+                         "objects of this format have fewer");
     }
     Add(JsonKind::kKey, name);
     return true;
@@ -123,7 +123,7 @@ class JsonBuilder {
         document_.place_ + ": " + LineAndColumn(source_, std::min(position, source_.size() + 1)),
         reason,
         cut          ? "the file is cut short: write it again"
-        : may_be_nan ? "JSON has no NaN and no infinity: write \"nan\", \"inf\" or \"-inf\""
+        : may_be_nan ? "JSON has no NaN or infinity: write \"nan\", \"inf\" or \"-inf\""
                      : "correct the JSON there");
   }
 
@@ -143,7 +143,7 @@ class JsonBuilder {
     if (open_.size() == JsonDocument::kMaxDepth) {
       throw JsonValue(&document_, node)
           .Error("is nested more than " + std::to_string(JsonDocument::kMaxDepth) + " levels deep",
-                 "no value of this format is");
+                 "values of this format are flatter");
     }
     open_.push_back(node);
     keys_.push_back(0);

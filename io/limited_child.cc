@@ -112,16 +112,16 @@ InputError ErrorOf(const std::string& message) {
           message.substr(remedy + 2)};
 }
 
-constexpr const char* kRemedy = "check that the file is complete, and of a sound program";
+constexpr const char* kRemedy = "check that the file is complete and well-formed";
 
 std::string MebibytesText(std::uint64_t bytes) { return std::to_string(bytes >> 20) + " MiB"; }
 
 // Why a child that did not say all it had to say ended.
 std::string Reason(int status, const ChildLimits& limits) {
-  if (!WIFSIGNALED(status)) return "the program that reads it gave up";
+  if (!WIFSIGNALED(status)) return "its reader failed";
   const int number = WTERMSIG(status);
   if (number == SIGXCPU || number == SIGKILL) {
-    return "reading it takes more than " + std::to_string(limits.seconds) + " s of processor time";
+    return "reading it took more than " + std::to_string(limits.seconds) + " s of processor time";
   }
   return "the library that reads it crashed on it by signal " + std::to_string(number) + " (" +
          strsignal(number) + "): it is broken, or nested too deep";
@@ -151,7 +151,7 @@ std::string MakeInChild(const ChildLimits& limits, const std::string& place,
   if (kind == kMade) return said;
   if (kind == kInputError) throw ErrorOf(said);
   if (kind == kNoMemory) {
-    throw InputError(place, "reading it takes more than " + MebibytesText(limits.bytes), kRemedy);
+    throw InputError(place, "reading it took more than " + MebibytesText(limits.bytes), kRemedy);
   }
   throw InputError(place, "can't be read (" + Printable(said) + ")", kRemedy);
 }

@@ -28,7 +28,7 @@ void RequireKnownFormat(const std::string& path) {
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (std::ranges::find(kExtensions, extension) != kExtensions.end()) return;
-  throw InputError(path, "is not a mesh by its name", "give .obj, .ply, .off, .stl, .gltf, .glb");
+  throw InputError(path, "has no name of a mesh", "give .obj, .ply, .off, .stl, .gltf, .glb");
 }
 
 std::uint64_t RequireRegularFile(const std::string& path) {
@@ -69,8 +69,8 @@ std::vector<T> Take(std::string_view& bytes, std::uint64_t count, const InputErr
 }
 
 Mesh MeshFrom(std::string_view bytes, const std::string& path) {
-  const InputError fault(path, "came back broken from the process that read it",
-                         "check that the file is complete, and of a sound program");
+  const InputError fault(path, "arrived damaged from the process that read it",
+                         "check that the file is complete and well-formed");
   const auto counts = Take<std::uint64_t>(bytes, Counts{}.size(), fault);
   Mesh mesh;
   mesh.name = std::filesystem::path(path).stem().string();

@@ -136,7 +136,7 @@ void RequireEndOfPlyHeader(const std::string& path) {
     if (std::string_view(line).starts_with("end_header")) return;
   }
   throw InputError(path, "can't be read as a mesh: its header has no end",
-                   "check that the file is complete and of the format that its ending names");
+                   "check that the file is complete and matches its extension");
 }
 
 // A line with a word on it, comments and empty lines passed over; none at the end of the file.
@@ -221,7 +221,7 @@ class IndexComplaints {
 
   void RequireNone(const std::string& path) const {
     if (!said_) return;
-    throw InputError(path, "has a face that names a vertex which is not there", "repair the mesh");
+    throw InputError(path, "has a face that names a missing vertex", "repair the mesh");
   }
 
  private:
@@ -254,7 +254,7 @@ Mesh ImportMesh(const std::string& path) {
   complaints.RequireNone(path);
   if (scene == nullptr || scene->mRootNode == nullptr) {
     throw InputError(path, "can't be read as a mesh (" + Printable(importer.error()) + ")",
-                     "check that the file is complete and of the format that its ending names");
+                     "check that the file is complete and matches its extension");
   }
   Mesh mesh;
   Welder(path, mesh).AddNode(*scene, *scene->mRootNode, Transform{});

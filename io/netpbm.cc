@@ -150,7 +150,7 @@ class NetpbmReader {
 
   void RequireEnd() const {
     if (rest_.find_first_not_of(kBlanks) == std::string_view::npos) return;
-    throw InputError(place_, "something follows the last row",
+    throw InputError(place_, "it continues after the last row",
                      "give a file of one picture whose header says its size");
   }
 

@@ -16,8 +16,8 @@ std::string ReadFile(const std::string& path);
 /// InputError names file and reason; no temporary file remains.
 void WriteFile(const std::string& path, std::string_view content);
 
-/// Writes to standard output and flushes; InputError if that fails (a full device). A pipe that
-/// nobody reads any more is no error: the rest of what it was to get is dropped.
+/// Writes to standard output and flushes; InputError if that fails (a full device). A pipe without
+/// a reader is no error: the rest of the output is dropped.
 void WriteStandardOutput(std::string_view content);
 
 /// Writes to the file, or to standard output if the path is "-".

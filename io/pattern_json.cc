@@ -41,7 +41,7 @@ SamplePattern StandardPatternFromJson(const JsonValue& value) {
     const auto pattern = samples ? StandardPattern(*samples) : std::nullopt;
     if (pattern) return *pattern;
   }
-  throw value.Error(Quoted(value.text()) + " is no standard pattern",
+  throw value.Error(Quoted(value.text()) + " is not a standard pattern",
                     "write standard-1, -2, -4, -8 or -16, or a list of [x, y]");
 }
 

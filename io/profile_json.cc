@@ -60,7 +60,7 @@ int SubpixelBits(const JsonValue& value) {
 TieRule TieRuleFromJson(const JsonValue& value) {
   const std::optional<TieRule> rule = TieRuleFromName(value.RequireString());
   if (rule) return *rule;
-  throw value.Error(Quoted(value.text()) + " is no tie rule",
+  throw value.Error(Quoted(value.text()) + " is not a tie rule",
                     "write top-left, top-right, bottom-left, bottom-right, one of them with -y "
                     "(y moves first), inclusive or exclusive");
 }
@@ -83,9 +83,9 @@ double SnapTolerance(const JsonValue& value) {
 double TransformError(const JsonValue& value) {
   const double units = CoordinateFromJson(value, Precision::kFloat64);
   if (units >= 0 && std::isfinite(units)) return units;
-  throw value.Error("is not the error of a transform",
-                    "write a number of 2^-24 of a coordinate, 0 or more, or null where none is "
-                    "stated");
+  throw value.Error(
+      "is not a transform error",
+      "write a multiple of 2^-24 of a coordinate, 0 or more, or null for none stated");
 }
 
 double SnapOrigin(const JsonValue& value) { return PlaceInPixel(value, "a snap origin"); }
@@ -116,7 +116,7 @@ std::array<double, kCount> FiniteNumbers(const JsonValue& list, const std::strin
 MaxPrimitiveExtent MaxPrimitiveExtentFromJson(const JsonValue& value) {
   const auto [width, height] = FiniteNumbers<2>(value, "[width, height]");
   if (width > 0 && height > 0) return MaxPrimitiveExtent{width, height};
-  throw value.Error("is not the size of a triangle", "write two positive numbers");
+  throw value.Error("is not a triangle size", "write two positive numbers");
 }
 
 LargestTarget LargestTargetFromJson(const JsonValue& value) {
@@ -147,7 +147,7 @@ std::optional<GuardBand> NamedGuardBand(const JsonValue& value) {
     if (is_digits && !pixels.empty() && pixels.size() <= kMostDigits)
       return AroundTarget{static_cast<double>(std::stoll(pixels))};
   }
-  throw value.Error(Quoted(value.text()) + " is no guard band",
+  throw value.Error(Quoted(value.text()) + " is not a guard band",
                     "write none, unknown, viewport, viewport+64 or [x0, y0, x1, y1]");
 }
 
@@ -219,7 +219,7 @@ Transform TransformFromJson(const JsonValue& value) {
   ReadIfThere(value, "map", transform.map, MapFromJson);
   if (transform.map && (transform.viewport != ViewportForm::kNone || transform.flips_y)) {
     throw value.Error("has a map and a viewport",
-                      "leave viewport and flips_y out: a map's dy turns y over");
+                      "leave viewport and flips_y out: a map's dy flips y");
   }
   return transform;
 }
@@ -424,8 +424,8 @@ void RequireSound(const JsonValue& value, const Profile& profile) {
                       "write both: \"contract\": \"squares\" is about what coverage states");
   }
   if (profile.front_face == FrontFace::kUnstated && profile.freedom.IsNone()) {
-    throw value.Error("leaves front_face unstated and nothing else free",
-                      "write \"front_face\": \"positive-area\", and tell facings by that");
+    throw value.Error("leaves only front_face unstated",
+                      "write \"front_face\": \"positive-area\", and report facings by it");
   }
   if (profile.front_face == FrontFace::kUnstated && profile.culls != Cull::kNone) {
     throw value.Error("culls one side and leaves front_face unstated",
@@ -468,7 +468,7 @@ Profile ProfileFromJson(const JsonValue& value) {
   Profile profile = ProfileFromObject(value);
   if (ProfileName(profile) == profile.name) return profile;
   throw value.Get("name").Error(
-      Quoted(profile.name) + " is the name of a preset, and this is not what the preset says",
+      Quoted(profile.name) + " names a preset, but this differs from the preset",
       "give it another name, or write " + Quoted(profile.name) + " alone for the preset");
 }
 

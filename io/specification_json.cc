@@ -29,8 +29,8 @@ Profile BeginningOf(const JsonValue& value) {
   if (!named) return {};
   std::optional<Profile> set = PresetProfile(named->RequireString());
   if (!set || SpecificationOf(*set) == nullptr) {
-    throw named->Error(Quoted(named->text()) + " is no specification's legal set",
-                       "write one of the presets that are: d3d11, vulkan, gl, webgpu");
+    throw named->Error(Quoted(named->text()) + " is not a specification's legal set",
+                       "write d3d11, vulkan, gl or webgpu");
   }
   set->specification = set->name;
   // A number of bits that is stated is the one there is.

@@ -54,7 +54,7 @@ std::optional<SquareRegion> RegionFromJson(const JsonValue& value) {
               [](const JsonValue& v) { return FromName(v, Names<SquareGrowth>(kGrowths)); });
   ReadIfThere(value, "half_width", region.half_width, HalfWidth);
   if (IsDecidable(region)) return region;
-  throw value.Error("lets a closed square meet a half-open shape, which is not decided",
+  throw value.Error("lets a closed square meet a half-open shape, which the oracle can't decide",
                     "write a half-open square, or an open or closed shape");
 }
 
@@ -79,7 +79,7 @@ SquareRule SquareRuleFromJson(const JsonValue& value) {
   ReadIfThere(value, "flat", rule.flat,
               [](const JsonValue& v) { return FromName(v, Names<FlatSquares>(kFlats)); });
   if (rule.must || rule.may) return rule;
-  throw value.Error("states neither squares that must be covered nor squares that may be",
+  throw value.Error("states neither a must nor a may region",
                     "give it a must or a may region, or leave coverage out");
 }
 

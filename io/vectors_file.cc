@@ -73,7 +73,7 @@ std::vector<std::string> TextsFromJson(const JsonValue& value) {
 }
 
 std::size_t Index(const JsonValue& value, std::size_t end) {
-  if (end == 0) throw value.Error("numbers something that is not there", std::string(kAgain));
+  if (end == 0) throw value.Error("names a missing number", std::string(kAgain));
   return static_cast<std::size_t>(value.RequireInteger(0, static_cast<std::int64_t>(end) - 1));
 }
 
@@ -142,7 +142,7 @@ void ReadTriangle(const JsonValue& value, TestVector& vector) {
   value.RequireObject(kTriangleKeys);
   const JsonValue::Items corners = value.Get("vertices").RequireArray();
   if (corners.size() != 3)
-    throw value.Get("vertices").Error("has not three corners", std::string(kAgain));
+    throw value.Get("vertices").Error("does not have three corners", std::string(kAgain));
   Triangle triangle{};
   std::size_t k = 0;
   for (const JsonValue corner : corners)
@@ -282,8 +282,7 @@ VectorAnswers ParseAnswers(std::string_view text, const std::string& place,
             .emplace(std::pair(found->second, t), SamplesFromJson(object.Get("rows"), top, vector))
             .second;
     if (!is_new) {
-      throw object.Get("triangle")
-          .Error("is answered for the second time", "answer each triangle of a case once");
+      throw object.Get("triangle").Error("is answered twice", "answer each triangle once");
     }
   });
   return answers;

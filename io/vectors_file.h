@@ -1,4 +1,4 @@
-// Reads files of test vectors, and of what a rasterizer covered of them.
+// Reads files of test vectors, and of a rasterizer's answers to them.
 #ifndef RASTERPROOF_IO_VECTORS_FILE_H_
 #define RASTERPROOF_IO_VECTORS_FILE_H_
 

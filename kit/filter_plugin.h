@@ -82,23 +82,25 @@ static inline int32_t rasterproof_filter_draw(rasterproof_keep keep, const raste
 #endif
 
 /* The function that the library exports. */
-#define RASTERPROOF_FILTER(filter_name, keep)                                                      \
-  static int32_t rasterproof_filter_draw_kept(void* state, const rasterproof_scene* scene,         \
-                                              const rasterproof_target* target) {                  \
-    (void)state;                                                                                   \
-    return rasterproof_filter_draw(keep, scene, target);                                           \
-  }                                                                                                \
-  RASTERPROOF_FILTER_LINKAGE const rasterproof_plugin* rasterproof_plugin_describe(void) {         \
-    static rasterproof_plugin plugin;                                                              \
-    plugin.version = RASTERPROOF_PLUGIN_VERSION;                                                   \
-    plugin.size = sizeof plugin;                                                                   \
-    plugin.name = filter_name;                                                                     \
-    plugin.summary = "draws exactly what a filter keeps; 8 subpixel bits, nearest-even, top-left"; \
-    plugin.profile = "gl-canonical";                                                               \
-    plugin.input = RASTERPROOF_FLOAT32;                                                            \
-    plugin.coverage = RASTERPROOF_FACING_COUNTS;                                                   \
-    plugin.draw = rasterproof_filter_draw_kept;                                                    \
-    return &plugin;                                                                                \
+#define RASTERPROOF_FILTER(filter_name, keep)                                              \
+  static int32_t rasterproof_filter_draw_kept(void* state, const rasterproof_scene* scene, \
+                                              const rasterproof_target* target) {          \
+    (void)state;                                                                           \
+    return rasterproof_filter_draw(keep, scene, target);                                   \
+  }                                                                                        \
+  RASTERPROOF_FILTER_LINKAGE const rasterproof_plugin* rasterproof_plugin_describe(void) { \
+    static rasterproof_plugin plugin;                                                      \
+    plugin.version = RASTERPROOF_PLUGIN_VERSION;                                           \
+    plugin.size = sizeof plugin;                                                           \
+    plugin.name = filter_name;                                                             \
+    plugin.summary =                                                                       \
+        "draws exactly the triangles that a filter keeps; 8 subpixel bits, nearest-even, " \
+        "top-left";                                                                        \
+    plugin.profile = "gl-canonical";                                                       \
+    plugin.input = RASTERPROOF_FLOAT32;                                                    \
+    plugin.coverage = RASTERPROOF_FACING_COUNTS;                                           \
+    plugin.draw = rasterproof_filter_draw_kept;                                            \
+    return &plugin;                                                                        \
   }
 
 #endif /* RASTERPROOF_KIT_FILTER_PLUGIN_H_ */

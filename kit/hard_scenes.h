@@ -21,7 +21,7 @@ namespace rasterproof::kit {
 /// Error:      InputError if there is none of the name.
 std::vector<std::string_view> HardDomains(std::string_view profile = "real");
 
-/// Returns a scene of float32 coordinates, the same for good for the same arguments.
+/// Returns a scene of float32 coordinates, the same for the same arguments in every version.
 ///
 /// Domain:     one of HardDomains(profile).
 /// Error:      InputError if it is none.

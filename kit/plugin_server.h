@@ -131,7 +131,7 @@ static void rasterproof_answer(const rasterproof_plugin* plugin, void* state, co
 }
 
 static void rasterproof_malformed(void) {
-  fputs("rasterproof: not what a request looks like\n", stderr);
+  fputs("rasterproof: malformed request on standard input\n", stderr);
   exit(1);
 }
 

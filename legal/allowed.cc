@@ -46,7 +46,7 @@ std::string WhyNoRange(const PlacedScene& placed) {
                          profile.contract == Contract::kSquares || StatesOneSide(profile);
   if (!is_stated) return "the contract does not state single samples";
   if (profile.sample_positions != SamplePositions::kStated)
-    return "the profile leaves the places of samples open";
+    return "the profile does not state where samples lie";
   const auto why = exact::WhyNotDecided(placed);
   return why ? why->what() : "";
 }

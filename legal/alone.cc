@@ -63,7 +63,7 @@ std::optional<std::string> WhyNotAlone(const Scene& scene, const Profile& profil
   if (!CanBeGiven(scene, profile))
     return "the profile's fixed-point input does not take a coordinate of the scene";
   if (profile.sample_positions != SamplePositions::kStated)
-    return "the profile leaves the places of samples open";
+    return "the profile does not state where samples lie";
   const TargetProfile target(profile, scene);
   if (IsLegalSet(target)) return WhyNotJoint(scene, target);
   if (!StatesSingles(target)) return "the contract does not state single samples";

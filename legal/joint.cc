@@ -284,16 +284,16 @@ std::optional<std::string> WhyNoPlaces(const Scene& scene, const TargetProfile& 
 
 std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& profile) {
   if (!profile.scanline_rounding.IsNone())
-    return "the profile rounds crossings, which has no model";
+    return "the profile rounds crossings, for which there is no joint model";
   if (profile.contract == Contract::kSquares) {
-    return "the contract states whole pixels of each triangle alone, which check judges";
+    return "the contract is about whole pixels, which 'check' judges";
   }
   const bool is_free_and_watertight =
       profile.contract == Contract::kWatertight && !profile.freedom.IsNone();
   if (profile.contract != Contract::kSampleExact && !is_free_and_watertight)
     return "the contract does not state single samples";
   if (profile.sample_positions != SamplePositions::kStated)
-    return "the profile leaves the places of samples open";
+    return "the profile does not state where samples lie";
   if (TakesToWindow(profile, scene)) return "the profile has a transform of its own";
   if (MayMoveEdgesAnyhow(scene, profile)) return std::string(kClippedAnyhow);
   if (!scene.clip_space) {

@@ -35,7 +35,7 @@ void RequirePitch(const RasterTarget& target) {
                      "give at least " + Text(RowBytes(target)));
   }
   if (target.pitch % unit != 0) {
-    throw InputError("target.pitch", Text(target.pitch) + " bytes, not of whole pixels",
+    throw InputError("target.pitch", Text(target.pitch) + " bytes, not a multiple of a pixel's",
                      "give a multiple of " + Text(unit));
   }
 }
@@ -140,7 +140,7 @@ void RequireTarget(const RasterTarget& target) {
   RequirePlane(target, "target.memory", target.memory);
   if (target.output != RasterOutput::kFacingCounts) {
     if (target.back.empty()) return;
-    throw InputError("target.back", "facing counts alone have one", "leave it empty");
+    throw InputError("target.back", "only facing counts have one", "leave it empty");
   }
   RequirePlane(target, "target.back", target.back);
   if (Overlap(RowsOf(target, target.memory), RowsOf(target, target.back))) {
@@ -204,7 +204,7 @@ kernels::Target RequireAllButIndices(const RasterMesh& mesh, const RasterTarget&
   RequireTarget(target);
   RequireShape(mesh);
   if (target.output >= RasterOutput::kInnerMask && mesh.space != RasterSpace::kWindow) {
-    throw InputError("target.output", "squares are of window space alone",
+    throw InputError("target.output", "squares need window space",
                      "give a mesh of window space, or ask for an output of centres");
   }
   std::array<Plane, 2> both;

@@ -39,10 +39,9 @@ rasterproof_raster_status Guarded(const Act& act) noexcept {
   } catch (const InputError& error) {
     return Fail(RASTERPROOF_RASTER_BAD_ARGUMENT, error.what());
   } catch (const std::bad_alloc&) {
-    return Fail(
-        RASTERPROOF_RASTER_NO_MEMORY,
-        "no memory for what the call allocates; counts, masks, ids and depths of one thread "
-        "allocate nothing in a target of rasterproof_raster_room() bytes");
+    return Fail(RASTERPROOF_RASTER_NO_MEMORY,
+                "not enough memory; counts, masks, ids and depths of one thread need none beyond a "
+                "target of rasterproof_raster_room() bytes");
   } catch (const std::exception& error) {
     return Fail(RASTERPROOF_RASTER_FAULT, error.what());
   } catch (...) {

@@ -1,4 +1,4 @@
-// Whether a clause, the stated model or nobody but its users asks for a property.
+// Whether a clause, the stated model or only users ask for a property.
 #ifndef RASTERPROOF_PROPS_AUTHORITY_H_
 #define RASTERPROOF_PROPS_AUTHORITY_H_
 

@@ -266,13 +266,13 @@ void RequireKernelFor(const Scene& scene, const Profile& profile) {
         "leave out scanline_rounding, or draw by the oracle (coverage --subject exact)");
   }
   if (IsHomogeneous(scene, profile) && !PlacesClipSpace(profile)) {
-    throw Unplanned(profile, "its fixed-point input or its largest extent is of window space",
+    throw Unplanned(profile, "its fixed-point input or its largest extent needs window space",
                     "give vertices [x, y]");
   }
   const TargetProfile resolved(profile, scene);
   if (resolved.snap != profile.snap || resolved.pattern != profile.pattern ||
       resolved.tie_rule != profile.tie_rule) {
-    throw Unplanned(profile, "it says something else of targets of this size",
+    throw Unplanned(profile, "it has another model for targets of this size",
                     "resolve it first: TargetProfile(profile, scene)");
   }
   if (profile.culls != Cull::kNone) {

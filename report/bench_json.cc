@@ -23,7 +23,6 @@
 #include "io/scene_json.h"
 #include "report/bench_decision.h"
 #include "report/bench_members.h"
-#include "report/page_parts.h"
 
 namespace rasterproof::report {
 namespace {
@@ -274,7 +273,7 @@ void BenchReader::Method(std::uint32_t& index) {
   if (found == result_.methods.end()) {
     throw object_->Get("method").Error(
         Quoted(named.name) + " by " + Quoted(named.target) + " into " + Quoted(named.sink) +
-            " is no method of this file",
+            " is not a method of this file",
         "write \"method\", \"target\" and \"sink\" of one that it lists");
   }
   index = static_cast<std::uint32_t>(found - result_.methods.begin());
@@ -290,13 +289,14 @@ void BenchReader::Read(const JsonValue& value, AsText text) {
 
 void RequireVersion(const JsonValue& root) {
   if (root.kind() == io::JsonKind::kObject && !root.Find("rasterproof_bench")) {
-    throw root.Error("is no bench file: the key \"rasterproof_bench\" is missing",
+    throw root.Error("is not a bench file: the key \"rasterproof_bench\" is missing",
                      "give a file that rasterproof bench --json wrote");
   }
   const JsonValue version = root.Get("rasterproof_bench");
   if (version.RequireInteger(0, INT32_MAX) != kVersion) {
-    throw version.Error("version " + std::string(version.text()) + " is unknown",
-                        "this program reads version 3: measure again by rasterproof bench --json");
+    throw version.Error(
+        "version " + std::string(version.text()) + " is unknown",
+        "this program reads version 3: measure again with rasterproof bench --json");
   }
 }
 

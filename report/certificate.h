@@ -35,10 +35,10 @@ struct Certificate {
   std::uint64_t seed = 0;
   FailOn fail_on = FailOn::kStated;  ///< which violations fail the run
   bool interrupted = false;          ///< the run was ended before all was done
-  /// Why no property of the subject's contract was put to the test; empty if one was. Other
+  /// Why no property of the subject's contract was tested; empty if one was. Other
   /// properties that hold are no evidence for the contract.
   std::string contract_untested;
-  /// How little of the contract was put to the test; empty if it was enough.
+  /// How little of the contract was tested; empty if it was enough.
   std::string contract_thin;
   /// What the subject shows or takes and nothing in the run asked for: "depths in clip space", and
   /// why. Empty if the run was interrupted.
@@ -78,7 +78,7 @@ struct Overall {
 /// Returns the verdict of the certificate, the first of these that applies:
 ///
 /// kViolated      a property is violated, or a judged scene has a wrong sample. A property that
-///                nobody but quality asks for counts if `fail_on` says so.
+///                only quality asks for counts if `fail_on` says so.
 /// kInconclusive  the run was interrupted, a property could not be judged, or nothing put the
 ///                contract to the test: no property, and no judged scene.
 /// kHolds         otherwise.

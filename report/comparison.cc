@@ -41,17 +41,24 @@ std::string MatrixCell(const Cell& cell) {
     text = state == "proved" ? "P" : state == "exhausted" ? "E" : "T";
   }
   std::string title = CellText(cell);
-  if (cell.cases == 0) title += ": " + cell.why;
+  if (const Case* const worst = cell.Worst()) title += ", " + worst->origin;
+  if (cell.cases == 0 || cell.ended != 0) title += ": " + cell.why;
   return fmt::format("<span class=\"{}\" title=\"{}\">{}</span>", colour, Escaped(title), text);
 }
 
 void AddCell(io::JsonWriter& json, const Cell& cell) {
   json.BeginObjectLine().Key("state").Text(StateWord(cell));
   json.Key("cases").Integer(cell.cases).Key("wrong").Integer(cell.wrong);
+  json.Key("ended").Integer(cell.ended).Key("triangles").Integer(cell.triangles);
   json.Key("samples").Integer(cell.samples).Key("wrong_samples").Integer(cell.wrong_samples);
   json.Key("worst_pixels").Shortest(cell.WorstPixels());
   json.Key("worst_case").Text(cell.Worst() != nullptr ? cell.Worst()->origin : "");
-  json.Key("excused").Integer(cell.excused).Key("why").Text(cell.why).EndObject();
+  json.Key("excused").Integer(cell.excused).Key("refused").Integer(cell.refused);
+  json.Key("why").Text(cell.why).EndObject();
+}
+
+void AddFacts(io::JsonWriter& json, const Facts& facts) {
+  for (const auto& [name, value] : facts) json.Key(JsonKey(name)).Text(value);
 }
 
 std::string SaveCommand(const ComparisonTable& table, const ComparedRow& family,
@@ -61,20 +68,21 @@ std::string SaveCommand(const ComparisonTable& table, const ComparedRow& family,
       family.name, subject, table.seed, table.cases);
 }
 
-std::string MatrixHead(const Catalogue& catalogue) {
-  std::string html = "<thead><tr><th>family</th>";
-  for (std::size_t k = 0; k < catalogue.folders.size(); ++k) {
-    html += fmt::format(
-        "<th class=\"number\"><span class=\"upright\"><a "
-        "href=\"{}/report.html\">{}</a></span></th>",
-        Escaped(catalogue.folders[k]), Escaped(catalogue.table.subjects[k].name));
+// Names lead to pages, where there are any: `folders` of subjects.
+std::string MatrixHead(const ComparisonTable& table, const std::vector<std::string>& folders) {
+  std::string html = fmt::format("<thead><tr><th>{}</th>", Escaped(table.one));
+  for (std::size_t k = 0; k < table.subjects.size(); ++k) {
+    const std::string& name = table.subjects[k].name;
+    html += fmt::format("<th class=\"number\"><span class=\"upright\">{}</span></th>",
+                        folders.empty() ? Escaped(name)
+                                        : fmt::format("<a href=\"{}/report.html\">{}</a>",
+                                                      Escaped(folders[k]), Escaped(name)));
   }
   return html + "</tr></thead>";
 }
 
-std::string Matrix(const Catalogue& catalogue) {
-  std::string html = "<div class=\"scroll\"><table class=\"matrix\">" + MatrixHead(catalogue);
-  const ComparisonTable& table = catalogue.table;
+std::string Matrix(const ComparisonTable& table, const std::vector<std::string>& folders) {
+  std::string html = "<div class=\"scroll\"><table class=\"matrix\">" + MatrixHead(table, folders);
   std::string_view theme;
   for (std::size_t k = 0; k < table.rows.size(); ++k) {
     const ComparedRow& family = table.rows[k];
@@ -84,12 +92,18 @@ std::string Matrix(const Catalogue& catalogue) {
       html += fmt::format("<tbody><tr><th colspan=\"{}\"><b>{}</b>: {}</th></tr>\n",
                           table.subjects.size() + 1, Escaped(theme), Escaped(family.right));
     }
-    html += fmt::format("<tr><th class=\"name\"><a href=\"{}\" title=\"{}\">{}</a></th>",
-                        Escaped(FamilyPagePath(family) + ".html"), Escaped(family.summary),
-                        Escaped(family.name));
+    html +=
+        fmt::format("<tr><th class=\"name\">{}</th>",
+                    folders.empty() ? Escaped(family.name)
+                                    : fmt::format("<a href=\"{}\" title=\"{}\">{}</a>",
+                                                  Escaped(FamilyPagePath(family) + ".html"),
+                                                  Escaped(family.summary), Escaped(family.name)));
     for (const ComparedSubject& subject : table.subjects) {
-      html += "<td class=\"number\">" + MatrixCell(subject.cells[k][0]) + "<br>" +
-              MatrixCell(subject.cells[k][1]) + "</td>";
+      html += "<td class=\"number\">";
+      for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
+        html += (y == 0 ? "" : "<br>") + MatrixCell(subject.cells[k][y]);
+      }
+      html += "</td>";
     }
     html += "</tr>\n";
   }
@@ -112,6 +126,11 @@ std::string SummaryLine(const ComparisonTable& table, const ComparedSubject& sub
 
 }  // namespace
 
+std::string JsonKey(std::string name) {
+  std::ranges::replace(name, ' ', '_');
+  return name;
+}
+
 std::string CellText(const Cell& cell) {
   if (cell.cases == 0) return cell.excused == 0 ? "not run" : "excused";
   const std::string_view state = StateWord(cell);
@@ -129,6 +148,8 @@ std::string CellText(const Cell& cell) {
 }
 
 std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& subject) {
+  std::size_t name_width = 22;
+  for (const ComparedRow& row : table.rows) name_width = std::max(name_width, row.name.size());
   std::vector<std::size_t> widths;
   for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
     widths.push_back(table.yardsticks[y].size());
@@ -137,7 +158,9 @@ std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& 
     }
   }
   std::string text =
-      fmt::format("{}, seed {}, {} cases each\n{:24}", subject.name, table.seed, table.cases, "");
+      fmt::format("{}, seed {}, {} cases each\n", subject.name, table.seed, table.cases);
+  for (const auto& [name, value] : subject.facts) text += fmt::format("  {}: {}\n", name, value);
+  text += fmt::format("{:{}}", "", name_width + 2);
   const auto end_line = [&text] {
     text.resize(text.find_last_not_of(' ') + 1);
     text += '\n';
@@ -153,7 +176,7 @@ std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& 
       theme = row.theme;
       text += fmt::format("\n{}: {}\n", row.theme, row.right);
     }
-    text += fmt::format("  {:<22}", row.name);
+    text += fmt::format("  {:<{}}", row.name, name_width);
     std::string why;
     for (std::size_t y = 0; y < widths.size(); ++y) {
       const Cell& cell = subject.cells[k][y];
@@ -161,29 +184,37 @@ std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& 
       if (cell.ended != 0 && why.empty()) why = cell.why;
     }
     end_line();
-    if (!why.empty()) text += fmt::format("{:25}{}\n", "", why);
+    for (const auto& [name, value] : row.facts) {
+      why += fmt::format("{}{}: {}", why.empty() ? "" : "; ", name, value);
+    }
+    if (!why.empty()) text += fmt::format("{:{}}{}\n", "", name_width + 3, why);
   }
   return CleanText(text + "\n" + SummaryLine(table, subject));
 }
 
 std::string ComparisonToJson(const ComparisonTable& table) {
   io::JsonWriter json;
-  json.BeginObject().Key("rasterproof_catalogue").Integer(1);
+  json.BeginObject().Key("rasterproof_comparison").Integer(1);
   json.Key("seed").Integer(table.seed).Key("cases").Integer(table.cases);
-  json.Key(table.what).BeginArray();
+  json.Key("what").Text(table.what).Key("one").Text(table.one);
+  json.Key("yardsticks").BeginArrayLine();
+  for (const std::string& yardstick : table.yardsticks) json.Text(yardstick);
+  json.EndArray().Key(table.what).BeginArray();
   for (const ComparedRow& row : table.rows) {
     json.BeginObject().Key("name").Text(row.name).Key("summary").Text(row.summary);
-    json.Key("theme").Text(row.theme).Key("right").Text(row.right).EndObject();
+    json.Key("theme").Text(row.theme).Key("right").Text(row.right);
+    AddFacts(json, row.facts);
+    json.EndObject();
   }
   json.EndArray().Key("subjects").BeginArray();
   for (const ComparedSubject& subject : table.subjects) {
-    json.BeginObject().Key("subject").Text(subject.name).Key("cells").BeginArray();
+    json.BeginObject().Key("subject").Text(subject.name);
+    AddFacts(json, subject.facts);
+    json.Key("cells").BeginArray();
     for (std::size_t k = 0; k < subject.cells.size(); ++k) {
       json.BeginObject().Key(table.one).Text(table.rows[k].name);
       for (std::size_t y = 0; y < table.yardsticks.size(); ++y) {
-        std::string key = table.yardsticks[y];
-        std::ranges::replace(key, ' ', '_');
-        AddCell(json.Key(key), subject.cells[k][y]);
+        AddCell(json.Key(JsonKey(table.yardsticks[y])), subject.cells[k][y]);
       }
       json.EndObject();
     }
@@ -192,6 +223,8 @@ std::string ComparisonToJson(const ComparisonTable& table) {
   json.EndArray().EndObject();
   return json.Finish();
 }
+
+std::string ComparisonMatrix(const ComparisonTable& table) { return Matrix(table, {}); }
 
 std::string CatalogueSection(const Catalogue& catalogue) {
   if (catalogue.table.subjects.empty()) return "";
@@ -204,7 +237,7 @@ std::string CatalogueSection(const Catalogue& catalogue) {
           "a wrong sample; –: excused, because the profile or the subject says nothing of the "
           "family. Each family has a page with rates, displacements, commands and a picture.",
           catalogue.table.cases, catalogue.table.seed),
-      Matrix(catalogue));
+      Matrix(catalogue.table, catalogue.folders));
 }
 
 std::string FamilyPagePath(const ComparedRow& family) { return "families/" + family.name; }

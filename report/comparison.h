@@ -31,10 +31,15 @@ std::string CellText(const Cell& cell);
 /// The table of one subject: a line a row, by theme, and in a last line how many stand and fail.
 std::string ComparisonText(const ComparisonTable& table, const ComparedSubject& subject);
 
-/// Version 1: families and subjects, each cell in full.
+/// Version 1: rows and subjects, each cell in full. Facts are members.
 std::string ComparisonToJson(const ComparisonTable& table);
+/// The key of a yardstick or a fact: "own_model".
+std::string JsonKey(std::string name);
 
-/// The matrix: a row a family, a column a subject and, above the slash, its own model.
+/// A row a line, a column a subject; in a cell the yardsticks from above.
+std::string ComparisonMatrix(const ComparisonTable& table);
+
+/// The same of a catalogue, whose names lead to pages.
 std::string CatalogueSection(const Catalogue& catalogue);
 
 /// The page of family k: each subject's cells, with the command that saves its worst cases.

@@ -16,9 +16,9 @@ struct JUnitTest {
   std::string name;
   double seconds = 0;
   JUnitOutcome outcome = JUnitOutcome::kPassed;
-  std::string message = {};  ///< of what did not pass, in one line
-  std::string text = {};     ///< of what failed
-  std::string said = {};     ///< what is neither failed nor skipped and still wants to be read
+  std::string message = {};  ///< why it did not pass, in one line
+  std::string text = {};     ///< the failure in full
+  std::string said = {};     ///< remarks of a test that neither failed nor was skipped
 };
 
 /// Returns the tests as one suite, with `said` after them.

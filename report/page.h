@@ -38,11 +38,11 @@ struct Page {
   std::string folder = "out";  ///< where the page lies, as commands on it say
 };
 
-/// The section on the files that `rasterproof survey --json` wrote into a folder: a row for each
-/// *.json, by name; folded for each its domains and the first cases found; the lines of absent.txt,
-/// if it is there, on subjects that could not be surveyed.
+/// The section on the files that `rasterproof survey --json` wrote into a folder: a matrix of their
+/// subjects, what each was compared with, and the lines of absent.txt, if it is there, on subjects
+/// that could not be surveyed.
 ///
-/// Error:      InputError if one is no survey file of version 4, or if the folder has none.
+/// Error:      InputError if one is no comparison, or of other rows, or if the folder has none.
 std::string SurveySection(const std::string& folder);
 
 /// The page of all subjects: what was shown in a sentence or two; error against run time, where a

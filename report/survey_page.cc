@@ -1,22 +1,24 @@
 // The section on surveys: how rasterizers differ from the model nearest to each.
+#include <algorithm>
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <set>
+#include <string>
 #include <string_view>
 #include <system_error>
+#include <utility>
+#include <vector>
 
+#include "core/comparison.h"
 #include "core/error.h"
-#include "core/profile_keys.h"
 #include "fmt/format.h"
+#include "fmt/ranges.h"
 #include "io/json_document.h"
-#include "io/json_members.h"
-#include "io/number_text.h"
 #include "io/output.h"
-#include "io/profile_json.h"
 #include "io/scene_json.h"
-#include "report/bench_page_parts.h"
+#include "report/comparison.h"
+#include "report/page.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -25,135 +27,102 @@ namespace {
 
 using io::JsonValue;
 
-// What a domain counts, then its cases by fault: the columns of subjects and domains.
-constexpr std::array<std::string_view, 14> kSurveyCounts{
-    "cases", "refused",  "unjudged", "meshes", "triangles", "samples", "wrong",
-    "gaps",  "overlaps", "wrong",    "gap",    "overlap",   "batch",   "end"};
-constexpr std::size_t kTriangles = 4;
-constexpr std::size_t kFirstFault = 6;  // from here on they are faults
-constexpr std::size_t kFaultyCases = 9;
+// What a survey says of its subject.
+constexpr std::array<std::string_view, 2> kFactsOfSubjects{"nearest model", "fit"};
 
-// Of the subject: a call a case, then a call a triangle; of everything.
-constexpr std::array kSurveySeconds{"subject_seconds", "alone_seconds", "seconds"};
-
-struct SurveyCounts {
-  std::array<std::uint64_t, kSurveyCounts.size()> of{};
-  std::uint64_t wrong_near_limits = 0;
-  std::array<double, kSurveySeconds.size()> seconds{};
-};
-
-std::uint64_t SurveyCount(const JsonValue& object, std::string_view key) {
+std::uint64_t Count(const JsonValue& object, std::string_view key) {
   return static_cast<std::uint64_t>(object.Get(key).RequireInteger(0, INT64_MAX));
 }
 
-std::string SurveyText(const JsonValue& object, std::string_view key) {
-  return Escaped(object.Get(key).RequireString());
+std::string Word(const JsonValue& object, std::string_view key) {
+  return std::string(object.Get(key).RequireString());
 }
 
-void AddSurvey(const JsonValue& domain, SurveyCounts& sum) {
-  for (std::size_t k = 0; k < kSurveyCounts.size(); ++k) {
-    sum.of[k] +=
-        SurveyCount(k < kFaultyCases ? domain : domain.Get("faulty_cases"), kSurveyCounts[k]);
+Cell ReadCell(const JsonValue& object) {
+  Cell cell;
+  cell.cases = Count(object, "cases");
+  cell.wrong = Count(object, "wrong");
+  cell.ended = Count(object, "ended");
+  cell.excused = Count(object, "excused");
+  cell.why = Word(object, "why");
+  if (cell.ended == 0) {
+    cell.furthest = io::CoordinateFromJson(object.Get("worst_pixels"), Precision::kFloat64);
   }
-  if (io::Boolean(domain.Get("near_limits"))) sum.wrong_near_limits += SurveyCount(domain, "wrong");
-  for (std::size_t k = 0; k < kSurveySeconds.size(); ++k) {
-    sum.seconds[k] += io::CoordinateFromJson(domain.Get(kSurveySeconds[k]), Precision::kFloat64);
+  if (std::string name = Word(object, "worst_case"); !name.empty()) {
+    (cell.ended == 0 ? cell.worst : cell.ended_on).emplace().origin = std::move(name);
+  }
+  return cell;
+}
+
+// Without subjects.
+ComparisonTable ReadHead(const JsonValue& root) {
+  const JsonValue version = root.Get("rasterproof_comparison");
+  if (version.RequireInteger(0, INT32_MAX) != 1) {
+    throw version.Error("version " + std::string(version.text()) + " is unknown",
+                        "this program reads version 1: survey again by rasterproof survey");
+  }
+  ComparisonTable table;
+  table.what = Word(root, "what");
+  table.one = Word(root, "one");
+  table.seed = Count(root, "seed");
+  table.cases = Count(root, "cases");
+  for (const JsonValue name : root.Get("yardsticks").RequireArray()) {
+    table.yardsticks.emplace_back(name.RequireString());
+  }
+  for (const JsonValue row : root.Get(table.what).RequireArray()) {
+    table.rows.push_back({Word(row, "name"), "", Word(row, "theme"), Word(row, "right")});
+  }
+  return table;
+}
+
+ComparedSubject ReadSubject(const JsonValue& object, const ComparisonTable& table) {
+  ComparedSubject subject{Word(object, "subject"), {}};
+  for (const std::string_view name : kFactsOfSubjects) {
+    if (const auto fact = object.Find(JsonKey(std::string(name)))) {
+      subject.facts.emplace_back(name, fact->RequireString());
+    }
+  }
+  const auto cells = object.Get("cells");
+  for (const JsonValue row : cells.RequireArray()) {
+    std::vector<Cell>& of_row = subject.cells.emplace_back();
+    for (const std::string& name : table.yardsticks) {
+      of_row.push_back(ReadCell(row.Get(JsonKey(name))));
+    }
+  }
+  if (subject.cells.size() != table.rows.size()) {
+    throw cells.Error("it has another number of rows than the table", "write the file again");
+  }
+  return subject;
+}
+
+// The first file says what the rows and yardsticks are.
+void AddSurvey(const std::string& path, ComparisonTable& table) {
+  const io::JsonDocument document(io::ReadFile(path), path);
+  ComparisonTable head = ReadHead(document.root());
+  if (table.subjects.empty()) {
+    table = std::move(head);
+  } else if (head.yardsticks != table.yardsticks ||
+             !std::ranges::equal(head.rows, table.rows, {}, &ComparedRow::name,
+                                 &ComparedRow::name)) {
+    throw InputError(path, "its rows or yardsticks are not those of the other files",
+                     "survey again by rasterproof survey");
+  }
+  for (const JsonValue subject : document.root().Get("subjects").RequireArray()) {
+    table.subjects.push_back(ReadSubject(subject, table));
   }
 }
 
-std::string CountCells(const SurveyCounts& counts) {
+// A line for each subject: what it was compared with.
+std::string FactsHtml(const ComparisonTable& table) {
   std::string html;
-  for (std::size_t k = 0; k < kSurveyCounts.size(); ++k) {
-    html += Number(counts.of[k], k < kFirstFault ? "" : "wrong");
+  for (const ComparedSubject& subject : table.subjects) {
+    html += fmt::format("<p><span class=\"name\">{}</span>", Escaped(subject.name));
+    for (const auto& [name, value] : subject.facts) {
+      html += fmt::format("; {}: {}", name, Escaped(value));
+    }
+    html += "</p>\n";
   }
   return html;
-}
-
-std::string SurveyTable(std::string_view words, std::string_view rows,
-                        std::string_view numbers = "") {
-  std::string heads;
-  for (std::size_t k = 0; k < kSurveyCounts.size(); ++k) {
-    heads += fmt::format("<th class=\"number\">{}{}</th>",
-                         k < kFaultyCases ? "" : "cases: ", kSurveyCounts[k]);
-  }
-  return fmt::format(
-      "<div class=\"scroll\"><table class=\"sorts\"><thead><tr>{}{}{}</tr></thead><tbody>\n{}"
-      "</tbody></table></div>\n",
-      words, heads, numbers, rows);
-}
-
-std::string StatedProfile(const JsonValue& stated) {
-  const Profile profile = io::ProfileFromJson(stated);
-  if (stated.kind() == io::JsonKind::kString) return "preset " + profile.name;
-  return fmt::format("{}, |x| up to {:.8g}", ContractName(profile.contract),
-                     profile.coordinate_limit);
-}
-
-// How many samples of the experiments the model gets wrong.
-std::string ModelErrors(const JsonValue& model) {
-  const std::uint64_t samples = SurveyCount(model, "samples");
-  if (samples != 0) {
-    return fmt::format("{} of {}", Grouped(SurveyCount(model, "wrong")), Grouped(samples));
-  }
-  if (!SurveyText(model, "remark").empty()) return "not found";
-  return fmt::format("0, in {} draws", Grouped(SurveyCount(model, "experiments")));
-}
-
-std::string SurveyRow(const JsonValue& survey, std::string_view anchor) {
-  SurveyCounts sum;
-  for (const JsonValue domain : survey.Get("domains").RequireArray()) AddSurvey(domain, sum);
-  const JsonValue model = survey.Get("model");
-  const auto [drawn, alone, all] = sum.seconds;
-  return fmt::format(
-      "<tr><th scope=\"row\"><a class=\"name\" href=\"#{}\">{}</a></th><td>{}</td><td "
-      "class=\"remark\">{}</td>"
-      "<td class=\"number\">{}</td>{}{}{}<td class=\"number\">{}</td><td class=\"number\">{}</td>"
-      "</tr>\n",
-      anchor, SurveyText(survey, "subject"), StatedProfile(survey.Get("stated")),
-      SurveyText(model, "text"), ModelErrors(model),
-      Number(sum.of[kFirstFault] - sum.wrong_near_limits, "wrong"),
-      Number(sum.wrong_near_limits, "wrong"), CountCells(sum),
-      NumberText(static_cast<double>(sum.of[kTriangles]) / drawn),
-      all > 0 ? fmt::format("{:.0f} %", 100 * (1 - (drawn + alone) / all)) : "–");
-}
-
-// The case as one line a triangle, in numbers that are exact.
-std::string FindingHtml(const JsonValue& finding) {
-  const Scene scene = io::SceneFromJson(finding.Get("case").Get("scene"));
-  std::string text = fmt::format("target {} x {}", scene.width, scene.height);
-  for (const auto& triangle : scene.triangles) {
-    text += '\n';
-    for (const int corner : triangle) {
-      const Vertex& v = scene.vertices[static_cast<std::size_t>(corner)];
-      text += fmt::format("({}, {})  ", io::ExactText(v.x), io::ExactText(v.y));
-    }
-  }
-  return Folded(SurveyText(finding, "name") + ": " + SurveyText(finding, "fault") + " " +
-                    SurveyText(finding, "end"),
-                "<pre>" + text + "</pre>\n", false);
-}
-
-std::string SurveyDetails(const JsonValue& survey, std::string_view anchor) {
-  std::string rows;
-  std::string findings;
-  for (const JsonValue domain : survey.Get("domains").RequireArray()) {
-    SurveyCounts counts;
-    AddSurvey(domain, counts);
-    rows += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th><td>{}</td>{}</tr>\n",
-                        SurveyText(domain, "domain"),
-                        io::Boolean(domain.Get("near_limits")) ? "near its limits" : "in range",
-                        CountCells(counts));
-    for (const JsonValue found : domain.Get("findings").RequireArray()) {
-      findings += FindingHtml(found);
-    }
-  }
-  return fmt::format(
-      "<div id=\"{}\" class=\"group\">\n{}</div>\n", anchor,
-      Folded(fmt::format("<strong>{}</strong> <span class=\"why\">{}</span>",
-                         SurveyText(survey, "subject"), SurveyText(survey, "summary")),
-             SurveyTable("<th>domain</th><th>place</th>", rows) + "<p>" +
-                 SurveyText(survey.Get("model"), "remark") + "</p>\n" + findings,
-             false));
 }
 
 }  // namespace
@@ -165,47 +134,22 @@ std::string SurveySection(const std::string& folder) {
     if (entry.path().extension() == ".json") paths.insert(entry.path().string());
   }
   if (paths.empty()) {
-    throw InputError(folder, "the folder has no survey",
-                     "write one there: rasterproof survey --json " + folder + "/NAME.json");
+    throw InputError(folder, "the folder holds no survey",
+                     "write one: rasterproof survey --json " + folder + "/NAME.json");
   }
-  std::string rows;
-  std::string rest;
-  std::size_t count = 0;
-  for (const std::string& path : paths) {
-    const io::JsonDocument document(io::ReadFile(path), path);
-    const JsonValue version = document.root().Get("rasterproof_survey");
-    if (version.RequireInteger(0, INT32_MAX) != 4) {
-      throw version.Error("version " + std::string(version.text()) + " is unknown",
-                          "this program reads version 4: survey again by rasterproof survey");
-    }
-    const std::string anchor = "survey-" + std::to_string(count++);
-    rows += SurveyRow(document.root(), anchor);
-    rest += SurveyDetails(document.root(), anchor);
-  }
+  ComparisonTable table;
+  for (const std::string& path : paths) AddSurvey(path, table);
+  std::string rest = FactsHtml(table);
   const std::string absent = folder + "/absent.txt";
   if (std::filesystem::exists(absent)) rest += "<pre>" + Escaped(io::ReadFile(absent)) + "</pre>\n";
   return Section(
       "surveys", "Surveys of rasterizers",
-      "Each drew the cases of the catalogue's domains, and was compared with the exact coverage of "
-      "the model nearest to it: observed, not judged. <code>rasterproof replay</code> draws a case "
-      "again by its name.",
-      SurveyTable(
-          "<th>subject</th><th>states</th><th>nearest model</th><th class=\"number\">it gets "
-          "wrong</th><th class=\"number\">wrong in range</th><th class=\"number\">wrong near "
-          "limits</th>",
-          rows, "<th class=\"number\">triangles/s</th><th class=\"number\">ours</th>") +
-          ColumnKey({{"it gets wrong", "the nearest model, of the samples that it was chosen by"},
-                     {"wrong",
-                      "samples that differ from the nearest model; near limits: in domains "
-                      "whose vertices reach out to the stated limit"},
-                     {"meshes",
-                      "cases that cover every sample of their target exactly once, whatever "
-                      "the tie rule: their gaps and overlaps are defects of any rasterizer"},
-                     {"cases: batch", "one call is not the sum of calls with each triangle"},
-                     {"cases: end", "the subject crashed or hung"},
-                     {"triangles/s", "of its drawing in one call, with the pipe to its process"},
-                     {"ours", "the share of all the time that was not the subject's"}}) +
-          rest);
+      fmt::format("Each was compared with the exact coverage of the model nearest to it: observed, "
+                  "not judged. In a cell, from above: {}. T: tested (seed {}), none wrong; a "
+                  "share: wrong cases; –: none was compared. <code>rasterproof replay</code> "
+                  "draws a case again by its name.",
+                  Escaped(fmt::format("{}", fmt::join(table.yardsticks, ", "))), table.seed),
+      ComparisonMatrix(table) + rest);
 }
 
 }  // namespace rasterproof::report

@@ -48,58 +48,51 @@ void AddCount(CLI::App* app, const std::string& option, const std::string& help,
 void AddJobs(CLI::App* app, int& jobs, const std::string& what) {
   jobs = DefaultJobs();
   AddCount(
-      app, "--jobs", what + " at once (default: as many as there are cores)", kMostJobs,
+      app, "--jobs", what + " at once (default: one per core)", kMostJobs,
       [&jobs](int count) { jobs = count; }, jobs);
 }
 
 void AddCheck(CLI::App& app, Run& run, const std::string& own) {
   static CheckOptions options;
-  CLI::App* verb = app.add_subcommand(
-      "check", "Put the properties to the test, on generated cases or on your scenes");
-  verb->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
-  verb->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
+  CLI::App* verb =
+      app.add_subcommand("check", "Test properties on generated cases or on your scenes");
+  CLI::App* const given = verb->add_option_group("Given cases");
+  given->add_option("scenes", options.scenes, "Scene or case files (default: generated cases)");
+  given->add_option("--case", options.named, std::string(kCaseHelp))->allow_extra_args(false);
   AddSubjects(verb, options.subjects, own);
   verb->add_option("--property", options.properties, "Properties (default: all)");
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device,
-                 "Put the subject's numbers into the legal set that --profile names: its subpixel "
-                 "bits, sample locations, coordinate limit and guard band");
+                 "Narrow the legal set of --profile to the subject's subpixel bits, sample "
+                 "locations, coordinate limit and guard band");
   verb->add_option("--save", options.save,
                    "Folder for shrunk counterexamples; those already there are replayed first");
-  CLI::Option* const no_cause =
-      verb->add_flag("--no-cause", options.no_cause,
-                     "Don't look for what explains the violations, which takes a few seconds");
+  verb->add_flag("--no-cause", options.no_cause, "Don't explain violations (saves a few seconds)");
   verb->add_option_function<std::string>(
           "--cause-seconds",
           [](const std::string& text) {
             options.cause_seconds = ParseSeconds("--cause-seconds", text);
           },
-          "Time to look for causes, as 30s or 2m: a quarter for "
-          "the subject to draw, the rest, of "
-          "processor time, to compare suspects with that")
-      ->default_str(fmt::format("{}s", options.cause_seconds))
-      ->excludes(no_cause);
-  verb->add_flag("--verbose", options.verbose,
-                 "Every property's line and every failure in full, not one screen");
+          "Time limit for explaining violations, such as 30s or 2m: a quarter (wall clock) to "
+          "draw, the rest (CPU) to compare")
+      ->default_str(fmt::format("{}s", options.cause_seconds));
+  verb->add_flag("--verbose", options.verbose, "Print every property, and every failure in full");
   verb->add_flag(
       "--fail-fast", options.fail_fast,
-      "End with the first violation that fails the run; what runs beside it is finished");
-  CLI::Option* const cases_json = verb->add_option(
-      "--cases-json", options.cases_json,
-      "File for a line of JSON a drawn case: its name, its samples on and near edges, its outcome");
-  for (CLI::Option* other : {verb->get_option("scenes"), verb->get_option("--case")})
-    cases_json->excludes(other);
+      "Stop after the first violation that fails the run; properties already running finish");
+  given->excludes(verb->add_option("--cases-json", options.cases_json,
+                                   "File with a JSON line per generated case: name, samples on and "
+                                   "near edges, outcome"));
   AddCampaign(verb, options.campaign);
   AddListLength(verb, options.list_length);
   verb->add_option("--json", options.json,
-                   "What was found as JSON (- for standard output, in place of text)");
-  verb->add_option(
-      "--known", options.known,
-      "File of known failures, each with who mends it and until when: only others fail the run");
+                   "Result as JSON (- for standard output, instead of text)");
+  verb->add_option("--known", options.known,
+                   "Known failures with owner and expiry date; they do not fail the run");
   AddJobs(verb, options.jobs, "Properties");
   AddFailOn(verb, options.fail_on);
   AddCount(
-      verb, "--batch", "Cases whose draws share calls, of a subject outside", kMostInABatch,
+      verb, "--batch", "Cases that share calls of a plugin or program", kMostInABatch,
       [](int count) { options.campaign.batch = static_cast<std::size_t>(count); },
       static_cast<int>(options.campaign.batch));
   verb->callback([&run, own] {
@@ -112,30 +105,30 @@ void AddCompare(CLI::App& app, Run& run, const std::string& own) {
   static CompareOptions options;
   CLI::App* verb = app.add_subcommand(
       "compare", "Compare a subject on families of stiff cases with models, subjects or itself");
-  verb->add_option("scenes", options.scenes, "Scene files or meshes (default: all families)");
-  AddSubjects(verb, options.subjects, own);
-  verb->add_option("--families", options.families,
-                   "Families of cases, domains and small worlds (default: all)")
+  CLI::App* const by_models = verb->add_option_group("Cases by yardsticks");
+  by_models->add_option("scenes", options.scenes, "Scene files or meshes (default: all families)");
+  by_models
+      ->add_option("--families", options.families,
+                   "Families of cases, domains and small worlds, beside the scenes (default: all)")
       ->delimiter(',')
       ->type_name("NAME,...")
-      ->allow_extra_args(false)
-      ->excludes(verb->get_option("scenes"));
-  verb->add_option("--by", options.by,
+      ->allow_extra_args(false);
+  by_models
+      ->add_option("--by", options.by,
                    "Yardsticks: own (the model it is judged by), real (real geometry), or other "
                    "subjects")
       ->delimiter(',')
       ->type_name("own,real,SUBJECT")
       ->default_str("own,real")
       ->allow_extra_args(false);
-  CLI::Option* const mode =
+  by_models->excludes(
       verb->add_option("--mode", options.modes,
-                       "With itself in these floating-point modes of its caller, on the cases of "
-                       "EnvironmentKeepsCoverage")
+                       "Compare it with itself in these floating-point modes of its caller, on the "
+                       "cases of EnvironmentKeepsCoverage")
           ->delimiter(',')
           ->type_name("ftz,daz,up,down,zero,trap")
-          ->allow_extra_args(false);
-  for (const char* other : {"scenes", "--families", "--by"})
-    mode->excludes(verb->get_option(other));
+          ->allow_extra_args(false));
+  AddSubjects(verb, options.subjects, own);
   verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own");
   verb->add_flag("--device", options.device, "As in check");
   AddCampaign(verb, options.campaign, "family");
@@ -153,45 +146,42 @@ void AddCompare(CLI::App& app, Run& run, const std::string& own) {
 void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   static CertifyOptions options;
   options.campaign.cases = 100;
-  CLI::App* verb = app.add_subcommand(
-      "certify", "Put everything to the test: certificate, JUnit file and report page");
+  CLI::App* verb =
+      app.add_subcommand("certify", "Test everything: certificate, JUnit file and report page");
   AddSubjects(verb, options.subjects, own);
-  verb->add_flag(
+  CLI::App* const of_a_run = verb->add_option_group("Cases to run");
+  CLI::Option* const all = of_a_run->add_flag(
       "--all", options.all,
       "Every built-in subject; the exit status then covers only those that claim to be exact");
-  CLI::Option* const profile = verb->add_option("--profile", options.profile,
-                                                "Judge by this profile, not by the subject's own");
-  profile->excludes(verb->get_option("--all"));
+  verb->add_option("--profile", options.profile, "Judge by this profile, not by the subject's own")
+      ->excludes(all);
   verb->add_option("--scenes", options.scene_set, "Scene set to measure")
       ->default_str("scenes/certify.json beside the command");
   verb->add_option("-o,--out", options.output, "Folder")->capture_default_str();
-  verb->add_option(
-      "--bench", options.bench,
-      "File that bench --json wrote: the page then begins with error against run time");
-  verb->add_option("--survey", options.survey,
-                   "Folder of files that survey --json wrote: the page then shows them");
+  verb->add_option("--bench", options.bench,
+                   "File of bench --json: begins the page with error against run time");
+  verb->add_option("--survey", options.survey, "Folder of survey --json files to show on the page");
   verb->add_flag("--catalogue", options.catalogue,
-                 "Families of stiff cases, too: a matrix, a page a family, catalogue.json");
-  AddSeed(verb, options.campaign.seed);
-  verb->add_option_function<std::string>(
+                 "Add the families of stiff cases: a matrix, a page per family, catalogue.json");
+  AddSeed(of_a_run, options.campaign.seed);
+  of_a_run
+      ->add_option_function<std::string>(
           "--cases", [](const std::string& text) { ParseCases(text, options); },
-          "Cases a property; A..B: those alone, A to B - 1, as a part for --merge")
+          "Cases per property; A..B: only cases A to B - 1, as a part for --merge")
       ->default_str("100");
-  AddSeconds(verb, options.campaign, "property");
-  verb->add_option("--shard", options.shard,
-                   "This shard alone, as a part for --merge: I/N, or auto: as the variables of "
-                   "GoogleTest, a Slurm array or Open MPI say");
-  verb->add_option("--exhaustive", options.worlds,
-                   "Small world, every case of which is run as well ('list worlds' names them)")
+  AddSeconds(of_a_run, options.campaign, "property");
+  of_a_run->add_option("--shard", options.shard,
+                       "Run only this shard, as a part for --merge: I/N, or auto (read the "
+                       "variables of GoogleTest, Slurm arrays or Open MPI)");
+  of_a_run
+      ->add_option("--exhaustive", options.worlds,
+                   "Also run every case of this small world ('list worlds' names them)")
       ->allow_extra_args(false);
   AddJobs(verb, options.jobs, "Properties, worlds or scenes");
   AddFailOn(verb, options.fail_on);
-  CLI::Option* const merge = verb->add_option("--merge", options.parts,
-                                              "Files that --shard or --cases A..B wrote: the "
-                                              "certificate of the campaign they are parts of");
-  for (const char* of_a_run :
-       {"--all", "--seed", "--cases", "--seconds", "--shard", "--exhaustive"})
-    merge->excludes(verb->get_option(of_a_run));
+  of_a_run->excludes(verb->add_option("--merge", options.parts,
+                                      "Merge these files of --shard or --cases A..B into the "
+                                      "campaign's certificate"));
   verb->callback([&run, own] {
     if (options.subjects.empty() && options.parts.empty()) options.subjects = {own};
     run = [] { return UntilInterrupted(options.parts.empty() ? RunCertify : RunMerge, options); };

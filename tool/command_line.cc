@@ -26,6 +26,8 @@
 #include "fmt/format.h"
 #include "report/case_code.h"
 #include "report/text.h"
+#include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
 #include "tool/bench/cmd_bench.h"
 #include "tool/case/cmd_case.h"
 #include "tool/case_choice.h"
@@ -40,6 +42,7 @@
 #include "tool/progress.h"
 #include "tool/selftest/cmd_selftest.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 #include "tool/survey/cmd_survey.h"
 #include "tool/sweep/cmd_sweep.h"
 #include "tool/typed_number.h"
@@ -51,15 +54,14 @@ namespace {
 
 void AddCase(CLI::App* app, CaseChoice& choice) {
   app->add_option("case", choice.path,
-                  "Case or scene file, or its JSON itself, or what a fuzzer saved (- for standard "
-                  "input)");
-  AddSubject(app, choice.subject, "Subject (default: the one the file names)");
-  app->add_option("--property", choice.property, "Property (default: the one the file names)");
+                  "Case file, scene file, inline JSON or fuzz input (- for standard input)");
+  AddSubject(app, choice.subject, "Subject (default: the file's)");
+  app->add_option("--property", choice.property, "Property (default: the file's)");
   app->add_option("--profile", choice.profile,
                   "Judge by this profile (default: the file's, or the subject's own)");
   app->add_option("--case", choice.name, std::string(kCaseHelp));
   app->add_flag("--fuzz-input", choice.is_fuzz_input,
-                "The file is a fuzz input, though it looks like text");
+                "Read the file as a fuzz input even if it looks like text");
   AddListLength(app, choice.list_length);
 }
 
@@ -70,15 +72,14 @@ void AddList(CLI::App& app, Run& run) {
   static ListOptions options;
   CLI::App* verb =
       app.add_subcommand("list", "List subjects, properties, domains, profiles and their keys");
-  verb->add_option("what", options.what,
-                   "What; all leaves out profile keys and clauses, which are many")
+  verb->add_option("what", options.what, "What to list; all omits keys and clauses")
       ->check(CLI::IsMember({"subjects", "properties", "domains", "worlds", "profiles", "mutants",
                              "keys", "clauses", "all"}))
       ->capture_default_str();
   verb->add_option("prefix", options.prefix,
-                   "Of clauses: those whose names begin so, vulkan or gl.common-edge");
-  verb->add_flag("--json", options.json, "Clauses as JSON");
-  verb->add_option("--subject", options.subject, "Of properties: those that apply to it");
+                   "List only clauses whose names begin so: vulkan, gl.common-edge");
+  verb->add_flag("--json", options.json, "Print clauses as JSON");
+  verb->add_option("--subject", options.subject, "List only properties that apply to this subject");
   verb->callback([&run] { run = [] { return RunList(options); }; });
 }
 
@@ -99,13 +100,13 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
   static SurveyOptions options;
   options.subject = own;
   CLI::App* verb = app.add_subcommand(
-      "survey", "Count how a subject differs from the model nearest to it; judge nothing");
+      "survey", "Count how a subject differs from its nearest model, without a verdict");
   AddSubject(verb, options.subject);
   verb->add_option("--profile", options.profile,
                    "Draw cases for this profile, not for the subject's own");
   AddCampaign(verb, options.campaign, "domain");
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
-  verb->add_option("--save", options.save, "Folder for the first case of each kind, shrunk");
+  verb->add_option("--save", options.save, "Folder for the worst case of each cell that fails");
   AddJobs(verb, options.jobs, "Domains");
   verb->callback([&run] { run = [] { return UntilInterrupted(RunSurvey, options); }; });
 }
@@ -113,8 +114,7 @@ void AddSurvey(CLI::App& app, Run& run, const std::string& own) {
 CLI::Option* AddAs(CLI::App* verb, std::string& as) {
   const std::vector<std::string> languages(report::kCodeLanguages.begin(),
                                            report::kCodeLanguages.end());
-  return verb
-      ->add_option("--as", as, "Print the case so, to be pasted into a test; the verdict above it")
+  return verb->add_option("--as", as, "Print the case as code for a test, below the verdict")
       ->check(CLI::IsMember(languages));
 }
 
@@ -127,7 +127,7 @@ void AddReplay(CLI::App& app, Run& run, const std::string& typed) {
   CLI::Option* const shrink =
       verb->add_option("--shrink", options.shrink,
                        "File for the smallest case that still fails (- for standard output)");
-  verb->add_option("--evaluations", options.evaluations, "Most evaluations to shrink by")
+  verb->add_option("--evaluations", options.evaluations, "Maximum evaluations while shrinking")
       ->capture_default_str()
       ->needs(shrink);
   AddAs(verb, options.as);
@@ -144,7 +144,7 @@ void AddConvert(CLI::App& app, Run& run, const std::string& typed) {
   CLI::App* verb = app.add_subcommand(
       "convert", "Write a fuzz input as a case file, or a case or scene as a fuzz input");
   AddCase(verb, options.choice);
-  verb->add_option("--to", options.to, "What to write")
+  verb->add_option("--to", options.to, "Format to write")
       ->check(CLI::IsMember({"case", "fuzz-input"}))
       ->required();
   verb->add_option("-o,--output", options.output, "File")->capture_default_str();
@@ -163,7 +163,7 @@ void AddExplain(CLI::App& app, Run& run, const std::string& typed) {
             options.x = at[0];
             options.y = at[1];
           },
-          "Column and row (from the top) to look at")
+          "Column and row (from the top) to show")
       ->expected(2)
       ->delimiter(',');
   verb->add_option("--svg", options.svg, "Picture as SVG");
@@ -183,10 +183,10 @@ void AddClimb(CLI::App& app, Run& run) {
   AddSubject(verb, options.subject);
   verb->add_option("--property", options.property, "Property with a bound")->capture_default_str();
   AddSeed(verb, options.seed, "search");
-  verb->add_option("--evaluations", options.evaluations, "Cases judged in all")
+  verb->add_option("--evaluations", options.evaluations, "Cases to judge")
       ->check(Positive())
       ->capture_default_str();
-  verb->add_option("--from", options.from, "Case file to set out from, beside drawn cases");
+  verb->add_option("--from", options.from, "Case file to start from, besides generated cases");
   verb->add_option("-o,--output", options.output, "Case file (- for standard output)");
   verb->callback([&run] { run = [] { return UntilInterrupted(RunClimb, options); }; });
 }
@@ -196,28 +196,30 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   options.command = typed;
   CLI::App* verb = app.add_subcommand("bench", "Measure error against run time");
   verb->add_option("--family", options.families, "Families (default: all)");
-  verb->add_option("--scene", options.scenes, "Scene files or meshes beside the families");
+  verb->add_option("--scene", options.scenes, "Scene files or meshes to add to the families");
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
-  verb->add_option("--plugin", options.plugins, "Libraries that are timed too, in this process");
-  verb->add_option("--exec", options.programs, "Programs that are timed too, on a pipe");
-  CLI::Option* limits =
-      verb->add_flag("--limits", options.limits, "Up to where each method is right, and no times");
+  verb->add_option("--plugin", options.plugins, "Plugins to time too, in this process");
+  verb->add_option("--exec", options.programs, "Programs to time too, on a pipe");
+  CLI::Option* limits = verb->add_flag("--limits", options.limits,
+                                       "Find how far each method is right; measure no times");
   verb->add_option("--save", options.save, "Folder for the failing case of each limit")
       ->needs(limits);
   verb->add_option_function<std::string>(
           "--budget",
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
-          "Time for everything, as 90s or 10m; from 3m on families have their full size")
+          "Time for the whole run, such as 90s or 10m; families have full size from 3m on")
       ->default_str("60s");
   AddSeed(verb, options.seed, "families");
-  verb->add_option("--against", options.against,
-                   "File of an earlier --json: tell what changed since; status 1 if for the worse");
-  verb->add_option("--from", options.from, "File of an earlier --json, in place of a new run");
+  verb->add_option(
+      "--against", options.against,
+      "File of an earlier --json: report changes since; status 1 if anything got worse");
+  verb->add_option("--from", options.from,
+                   "File of an earlier --json: report it instead of measuring");
   verb->add_option("--json", options.json, "Result as JSON, raw times included");
-  verb->add_option("--svg", options.svg, "Picture: error against run time, a panel a family");
+  verb->add_option("--svg", options.svg, "Plot of error against run time, one panel per family");
   CLI::Option* fingerprint =
       verb->add_flag("--fingerprint", options.fingerprint,
-                     "Only look at one sample with an edge's end in 256 x 256 neighbouring places")
+                     "Only test one sample, with an edge's end at 256 x 256 neighbouring places")
           ->excludes(limits);
   verb->add_option("--out", options.folder, "Folder for the pictures: NAME-STEP.png")
       ->needs(fingerprint);
@@ -230,15 +232,15 @@ void AddSweep(CLI::App& app, Run& run) {
   static SweepOptions options;
   CLI::App* verb = app.add_subcommand(
       "sweep",
-      "Tell which builds of your rasterizer draw other samples: compilers, flags, targets");
+      "Find the builds (compilers, flags, targets) that change what your rasterizer covers");
   verb->add_option("sources", options.sources,
                    "C or C++ sources of a plugin (kit/rasterproof_plugin.h)")
       ->required();
   verb->add_option("--cflags", options.cflags,
-                   "Flags of every build, as a shell reads them: -I, -D, -std, libraries");
+                   "Flags for every build, in shell syntax: -I, -D, -std, libraries");
   verb->add_option("--build", options.builds,
-                   "Compare with the base this build alone: \"clang -O3\", \"i386\", "
-                   "\"aarch64 -ffp-contract=fast\" (repeat for more; default: about 40)")
+                   "Compare only this build with the base: \"clang -O3\", \"i386\", \"aarch64 "
+                   "-ffp-contract=fast\" (repeatable; default: about 40)")
       ->allow_extra_args(false);
   verb->add_option("--profile", options.profile, "Draw cases for this profile, not for its own");
   AddSeed(verb, options.seed);
@@ -246,7 +248,7 @@ void AddSweep(CLI::App& app, Run& run) {
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
   verb->add_option("--time-limit", options.seconds,
-                   "Seconds that a compilation or one answer may take")
+                   "Time limit in seconds for a compilation or an answer")
       ->check(Positive())
       ->capture_default_str();
   verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
@@ -260,20 +262,20 @@ void AddSelftest(CLI::App& app, Run& run) {
       app.add_subcommand("selftest", "Check that planted bugs are found and legal variants pass");
   AddSeed(verb, options.seed, "generators (legal variants take the next two as well)");
   verb->add_option("--cases", options.cases,
-                   "Most cases a property; a tenth of them for legal variants")
+                   "Maximum cases per property; legal variants get a tenth")
       ->check(Positive())
       ->capture_default_str();
   verb->add_option("--only", options.only, "Mutants and legal variants (default: all)");
   verb->add_option("--json", options.json, "Result as JSON");
   verb->add_flag("--causes", options.causes,
-                 "Explain each mutant's violation, and compare with what was planted in it");
+                 "Explain each mutant's violation and compare with its planted bug");
   AddJobs(verb, options.jobs, "Mutants or legal variants");
   verb->callback([&run] { run = [] { return RunSelftest(options); }; });
 }
 
 void AddDoctor(CLI::App& app, Run& run) {
   CLI::App* verb =
-      app.add_subcommand("doctor", "Say whether this machine and build can be trusted to judge");
+      app.add_subcommand("doctor", "Check that this machine and build can be trusted to judge");
   verb->callback([&run] { run = [] { return RunDoctor(); }; });
 }
 
@@ -339,8 +341,13 @@ std::string NearestMeant(const CLI::App& app, const std::string& error) {
   if (option == std::string::npos || error.find("not expected") == std::string::npos) return "";
   std::vector<std::string> names;
   for (const CLI::App* verb = &app; verb != nullptr;) {
-    for (const CLI::Option* one : verb->get_options()) {
-      for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+    std::vector<const CLI::App*> groups =
+        verb->get_subcommands([](const CLI::App* one) { return one->get_name().empty(); });
+    groups.push_back(verb);
+    for (const CLI::App* group : groups) {
+      for (const CLI::Option* one : group->get_options()) {
+        for (const std::string& name : one->get_lnames()) names.push_back("--" + name);
+      }
     }
     const std::vector<CLI::App*> next = verb->get_subcommands();
     verb = next.empty() ? nullptr : next.front();
@@ -406,6 +413,10 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
   // A closed pipe is an error that is reported, not a signal that kills.
   std::signal(SIGPIPE, SIG_IGN);
   OpenStandardFiles();
+  Kinds() = {{{subjects::IsBuiltin, subjects::MakeBuiltin, subjects::BuiltinNames},
+              {subjects::IsMutant, subjects::MakeMutant, nullptr}},
+             ResolveOutside,
+             MakeInHost};
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {

@@ -78,8 +78,8 @@ double ErrorOf(const std::string& value, const std::string& place) {
   const char* const end = value.data() + value.size();
   const auto [stop, problem] = std::from_chars(value.data(), end, error);
   if (problem == std::errc{} && stop == end && std::isfinite(error) && error > 0) return error;
-  throw InputError(place, fmt::format("'{}' is no error", value),
-                   "give a positive number, or leave the line out to say nothing");
+  throw InputError(place, fmt::format("'{}' is not an error", value),
+                   "give a positive number, or leave the line out");
 }
 
 double EdgeErrorOf(const std::string& value, const std::string& place) {
@@ -87,8 +87,8 @@ double EdgeErrorOf(const std::string& value, const std::string& place) {
   try {
     return ErrorOf(value, place);
   } catch (const InputError&) {
-    throw InputError(place, fmt::format("'{}' is no error of edge values", value),
-                     "give exact, a positive number, or leave the line out to say nothing");
+    throw InputError(place, fmt::format("'{}' is not an error of edge values", value),
+                     "give exact or a positive number, or leave the line out");
   }
 }
 
@@ -106,16 +106,16 @@ FixedInput FixedInputFrom(std::istream& words, const std::string& place) {
   if (!(words >> fixed.integer_bits >> point >> fixed.fraction_bits) || point != '.' ||
       fixed.integer_bits < 1 || fixed.integer_bits > kMaxIntegerBits || fixed.fraction_bits < 0 ||
       fixed.fraction_bits > kMaxSubpixelBits) {
-    throw refused("the fixed-point format is not one");
+    throw refused("the fixed-point format is malformed");
   }
   if (!(words >> sign) || (sign != "signed" && sign != "unsigned")) {
-    throw refused("it is not said whether the fixed-point format is signed");
+    throw refused("the fixed-point format lacks its sign");
   }
   fixed.is_signed = sign == "signed";
   std::string wrap;
   fixed.wraps = static_cast<bool>(words >> wrap);
   if (fixed.wraps && wrap != "wrap") throw refused(fmt::format("'{}' is not known", wrap));
-  if (words >> wrap) throw refused(fmt::format("'{}' is one word too many", wrap));
+  if (words >> wrap) throw refused(fmt::format("unexpected word '{}'", wrap));
   return fixed;
 }
 
@@ -136,12 +136,12 @@ void JoinFixedInput(ProgramDescription& description, const std::string& place) {
   std::optional<FixedInput>& stated = description.info.profile.fixed;
   if (stated && description.fixed && *stated != *description.fixed) {
     throw InputError(place, "its input and its profile state different fixed-point formats",
-                     "state one of them, or both alike");
+                     "state one of them, or make them equal");
   }
   if (description.fixed) stated = description.fixed;
   description.info.profile.name = io::ProfileName(description.info.profile);
   if (stated && description.info.takes_clip) {
-    throw InputError(place, "its input is fixed point, and it takes clip space",
+    throw InputError(place, "a fixed-point input cannot take clip space",
                      "leave clip out of takes");
   }
 }
@@ -162,8 +162,7 @@ int ProtocolOf(const std::string& value, const std::string& place) {
   }
   throw InputError(
       place, fmt::format("this program does not speak version '{}' of the protocol", value),
-      fmt::format("write protocol {0}, or an older one from 1 on, and have the subject speak it",
-                  subjects::kProtocol));
+      fmt::format("write protocol 1 to {0}, and have the subject speak it", subjects::kProtocol));
 }
 
 void TakeLine(const std::string& key, const std::string& value, const std::string& place,
@@ -215,10 +214,10 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
 // What is said of edge values that are not shown is a mistake as well.
 void RequireEdgesItShows(const EdgeInfo& edges, const std::string& place) {
   if (edges.shows_steps && !edges.shows_values) {
-    throw InputError(place, "it shows steps and no edge values", "write: shows edges steps");
+    throw InputError(place, "it shows steps without edge values", "write: shows edges steps");
   }
   if ((edges.value_error && !edges.shows_values) || (edges.stepping_error && !edges.shows_steps)) {
-    throw InputError(place, "it states the error of what it does not show",
+    throw InputError(place, "it states an error of values that it does not show",
                      "add a line: shows edges steps");
   }
 }
@@ -230,16 +229,16 @@ void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
   const bool says_barycentrics = properties.barycentrics_of != nothing.barycentrics_of ||
                                  properties.barycentric_error != 0 || properties.depth_error != 0;
   if (says_barycentrics && info.coverage != CoverageKind::kFragments) {
-    throw InputError(place, "it says something of barycentrics or depths and shows none",
+    throw InputError(place, "it describes barycentrics or depths but shows none",
                      "add a line: coverage fragments");
   }
   if (properties.shows_centroids &&
       (info.coverage != CoverageKind::kFragments || info.protocol < 2)) {
-    throw InputError(place, "it shows centroids, and no fragments or by an old protocol",
+    throw InputError(place, "centroids need fragments and protocol 2",
                      "add two lines: coverage fragments, and protocol 2");
   }
   if (properties.visible != nothing.visible && !ShowsPrimitiveIds(info)) {
-    throw InputError(place, "it says which triangle is visible and does not show it",
+    throw InputError(place, "it says which triangle is visible but does not show it",
                      "add a line: coverage primitive-id");
   }
 }

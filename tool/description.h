@@ -26,7 +26,7 @@ struct ProgramDescription {
   std::optional<FixedInput> fixed;
 };
 
-/// What is assumed of a program that says nothing: float32, window space, counts without facings,
+/// Assumed for a program without a description: float32, window space, counts without facings,
 /// no culling, scissor, tiles or threads, profile "real".
 ProgramDescription PlainDescription();
 

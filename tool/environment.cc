@@ -8,8 +8,9 @@ namespace rasterproof::tool {
 void RequireHonestEnvironment() {
   const exact::Environment environment = exact::InspectEnvironment();
   if (environment.Honest()) return;
-  throw InputError("floating-point environment", environment.Complaint(),
-                   "mend it and run again (rasterproof doctor shows it); no verdict is given here");
+  throw InputError(
+      "floating-point environment", environment.Complaint(),
+      "correct it and run again ('rasterproof doctor' shows it); there is no verdict without");
 }
 
 }  // namespace rasterproof::tool

@@ -39,11 +39,11 @@ KnownFailure ReadKnownFailure(const io::JsonValue& object) {
   if (props::FindProperty(known.property) == nullptr) {
     throw object.Get("property")
         .Error(Quoted(known.property) + " is no property",
-               "'rasterproof list properties' names all that there are");
+               "'rasterproof list properties' names all");
   }
   known.owner = object.Get("owner").RequireName();
   if (known.owner.empty())
-    throw object.Get("owner").Error("names nobody", "name who mends the failure");
+    throw object.Get("owner").Error("names nobody", "name the failure's owner");
   known.until = ReadDay(object.Get("until"));
   if (const auto subject = object.Find("subject")) known.subject = subject->RequireString();
   if (const auto cause = object.Find("cause")) known.cause = ReadCauseName(*cause);
@@ -118,35 +118,31 @@ void ApplyKnownFailures(const std::vector<KnownFailure>& known, year_month_day t
       ++found.expired;
       found.notes +=
           Line("expired", found,
-               fmt::format("{}: {} was to mend it by {}; mend it, or give it another day "
-                           "({})",
+               fmt::format("{}: expired; {} was to fix it by {}; fix it or set a later day ({})",
                            EntryText(entry), entry.owner, DayText(entry.until), entry.place));
       continue;
     }
     bool was_asked = false;
     bool is_violated = false;
     bool is_judged = false;
-    for (std::size_t k = 0; k < found.all.size(); ++k) {
-      Finding& finding = found.all[k];
+    for (Finding& finding : found.all) {
       if (finding.result.property != entry.property) continue;
       was_asked = true;
       is_judged = is_judged || finding.result.outcome == Outcome::kHolds;
       if (finding.result.outcome != Outcome::kViolated) continue;
-      const props::Cause* cause = CauseOf(found, k);
-      if (!entry.cause.empty() && (cause == nullptr || NameOfCause(*cause) != entry.cause)) {
-        continue;
-      }
+      const std::string cause =
+          finding.cause ? NameOfCause(found.causes.all[*finding.cause]) : std::string();
+      if (!entry.cause.empty() && cause != entry.cause) continue;
       is_violated = true;
       finding.is_known = true;
     }
     if (is_violated) {
       found.notes += Line("known", found,
-                          fmt::format("{}: {} mends it by {}", EntryText(entry), entry.owner,
+                          fmt::format("{}: {} fixes it by {}", EntryText(entry), entry.owner,
                                       DayText(entry.until)));
     } else if (was_asked && is_judged) {
       found.notes += Line("passes", found,
-                          fmt::format("{}, though it is known to fail; tell {}, and take it out of "
-                                      "the list ({})",
+                          fmt::format("{} passes now; tell {}, and remove it from the list ({})",
                                       EntryText(entry), entry.owner, entry.place));
     }
   }

@@ -38,7 +38,7 @@ bool IsKnown(const std::vector<KnownFailure>& known, std::chrono::year_month_day
 /// last fail the run, if their property is one of those found.
 ///
 /// Domain:     `found` has its explanation. An entry with a cause covers nothing of a failure whose
-///             cause was not looked for.
+///             cause was not searched.
 void ApplyKnownFailures(const std::vector<KnownFailure>& known, std::chrono::year_month_day today,
                         Findings& found);
 

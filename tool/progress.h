@@ -16,7 +16,7 @@ namespace rasterproof::tool {
 /// Writes to standard error; what can't be written there is lost, and nothing else.
 void Tell(const std::string& text) noexcept;
 
-/// Says what is being done. Its own thread repeats it, so that a long step is never silent. It
+/// Prints the current step. Its own thread repeats it, so that a long step is never silent. It
 /// shows the worker whose stage began first, and how many others there are.
 class Progress {
  public:

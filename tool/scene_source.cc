@@ -26,8 +26,7 @@ bool IsMeshPath(const std::string& path) {
 Scene LoadScene(const SceneOptions& options) {
   if (!IsMeshPath(options.path)) {
     if (!options.camera.empty()) {
-      throw InputError("--camera",
-                       options.path + " is a scene file, and a scene file takes no camera",
+      throw InputError("--camera", options.path + " is a scene file, which has no camera",
                        "leave the option out, or give a mesh (obj, ply, off, stl, gltf, glb)");
     }
     return io::ReadScene(Located(options.path));

@@ -14,6 +14,7 @@
 #include "tool/pipe/cmd_pipe.h"
 #include "tool/plan/cmd_plan.h"
 #include "tool/scene_source.h"
+#include "tool/subject_kinds.h"
 #include "tool/typed_number.h"
 #include "tool/vectors/cmd_vectors.h"
 #include "tool/verb_options.h"
@@ -46,7 +47,7 @@ void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& ad
          "Program that answers requests on a pipe (docs/subjects.md)")
       ->allow_extra_args(false);
   app->add_option("--time-limit", OutsideLimits().seconds,
-                  "Seconds that a plugin or program may take for one answer")
+                  "Time limit in seconds for one answer of a plugin or program")
       ->check(Positive())
       ->capture_default_str();
   app->add_option_function<double>(
@@ -54,13 +55,13 @@ void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& ad
          [](double gibibytes) {
            OutsideLimits().bytes = static_cast<std::uint64_t>(gibibytes * 0x1p30);
          },
-         "GiB of address space that it may have (0: no limit)")
+         "Limit of its address space in GiB (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->default_str("4");
 }
 
 void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
-  app->add_option("--seconds", campaign.seconds, "Most seconds a " + of + " (0: no limit)")
+  app->add_option("--seconds", campaign.seconds, "Maximum seconds per " + of + " (0: no limit)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
 }
@@ -68,13 +69,13 @@ void AddSeconds(CLI::App* app, props::CampaignOptions& campaign, const std::stri
 void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of) {
   app->add_option_function<std::string>(
          "--seed", [&seed](const std::string& text) { seed = ParseSeed(text); },
-         "Seed of the " + of + ", or 'random' (the one taken is printed)")
+         "Seed of the " + of + ", or 'random' (and print it)")
       ->default_str("1");
 }
 
 void AddCampaign(CLI::App* app, props::CampaignOptions& campaign, const std::string& of) {
   AddSeed(app, campaign.seed);
-  app->add_option("--cases", campaign.cases, "Cases a " + of)
+  app->add_option("--cases", campaign.cases, "Cases per " + of)
       ->check(Positive())
       ->capture_default_str();
   AddSeconds(app, campaign, of);
@@ -109,19 +110,17 @@ void AddCoverage(CLI::App& app, Run& run) {
   AddSubject(verb, options.subject,
              "Subject (default: exact, the oracle; of shaded pictures spans-exact)");
   verb->add_option("--profile", options.profile,
-                   "Preset or profile file: the oracle's model (default: real, or beside --against "
-                   "the subject's own); a subject without a grid draws the scene snapped to it");
+                   "Preset or profile file: the oracle's model (default: real; with --against, the "
+                   "subject's own). A subject without a grid draws the scene snapped to it");
   CLI::Option* output =
       verb->add_option("-o,--output", options.output, "File for the rows")->capture_default_str();
-  CLI::Option* against = verb->add_option(
-      "--against", options.against,
-      "Subject to compare with (such as exact): what is missing and unexpected; status 1 if any");
-  CLI::Option* png =
-      verb->add_option(
-              "--png", options.png,
-              "Picture (- for standard output) in place of the rows, or of the difference; "
-              "NAME.ppm: as PPM; NAME.pgm: the counts as PGM")
-          ->excludes(output);
+  CLI::Option* against = verb->add_option("--against", options.against,
+                                          "Subject to compare with, such as exact; prints missing "
+                                          "and unexpected samples, status 1 if any");
+  CLI::Option* png = verb->add_option("--png", options.png,
+                                      "Picture instead of the rows, or of the difference (- for "
+                                      "standard output); NAME.ppm: PPM; NAME.pgm: counts as PGM")
+                         ->excludes(output);
   verb->add_option(
           "--mode", options.mode,
           "What the picture shows: coverage, or pixels shaded by a method of the reference")
@@ -138,45 +137,43 @@ void AddCoverage(CLI::App& app, Run& run) {
 void AddLegal(CLI::App& app, Run& run) {
   static LegalOptions options;
   CLI::App* verb = app.add_subcommand(
-      "legal", "Say whether one legal model explains a drawing, or what is open");
+      "legal", "Check whether one legal model explains a drawing, or show what is open");
   AddScene(verb, options.scene);
   verb->get_option("scene")->required(false);  // not with --list
-  verb->add_option(
-      "image", options.image,
-      "Counts as `coverage` writes them, or a picture: PNG, PGM, PPM, or NAME.raw of 1, 3 "
-      "or 4 bytes a pixel (default: a subject draws)");
+  verb->add_option("image", options.image,
+                   "Counts in the format of `coverage`, or a picture: PNG, PGM, PPM, or NAME.raw "
+                   "with 1, 3 or 4 bytes per pixel (default: the subject draws)");
   AddSubject(verb, options.subject, "Subject that draws the scene");
   verb->add_option("--profile", options.profile,
                    "Preset or profile file (default: the subject's own)");
-  CLI::Option* background = verb->add_option("--background", options.background,
-                                             "Colour of a picture where nothing is drawn, RRGGBB")
-                                ->capture_default_str();
-  CLI::Option* counts =
-      verb->add_flag("--counts", options.counts,
-                     "The levels of a PGM or raw picture are counts: how often, not only where");
+  CLI::Option* background =
+      verb->add_option("--background", options.background, "Background colour of a picture, RRGGBB")
+          ->capture_default_str();
+  CLI::Option* counts = verb->add_flag("--counts", options.counts,
+                                       "Read the levels of a PGM or raw picture as counts");
   CLI::Option* ids =
       verb->add_flag("--ids", options.ids,
-                     "The numbers of the image are 1 + the triangle that a sample shows, 0: none")
+                     "Read the image's numbers as 1 + the visible triangle's index, 0: none")
           ->excludes(counts)
           ->excludes(background);
   verb->add_option("--visible", options.visible,
-                   "Which triangle of those that cover a sample an id names: any, last or first")
+                   "Which of the triangles that cover a sample is visible: any, last or first")
       ->check(CLI::IsMember({"any", "last", "first"}))
       ->capture_default_str()
       ->needs(ids);
-  CLI::Option* facings =
-      verb->add_option("--facings", options.facings,
-                       "File like the image: how many of the counts, or whether the triangle of an "
-                       "id, show the front")
-          ->excludes(background);
+  CLI::Option* facings = verb->add_option("--facings", options.facings,
+                                          "File like the image: how many of each count are "
+                                          "front-facing; for ids 1 where the triangle is")
+                             ->excludes(background);
   CLI::Option* json =
       verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
-  CLI::Option* save = verb->add_option("--save", options.save,
-                                       "File for the part that no model explains, as a case that "
-                                       "this verb judges again");
+  CLI::Option* save = verb->add_option(
+      "--save", options.save,
+      "Case file for the part that no model explains; this verb can judge it again");
   CLI::Option* decided =
-      verb->add_flag("--decided", options.decided,
-                     "Judge no drawing: how often the legal models of --profile cover each sample")
+      verb->add_flag(
+              "--decided", options.decided,
+              "Judge no drawing; print how often the legal models of --profile cover each sample")
           ->excludes(background)
           ->excludes(counts)
           ->excludes(ids)
@@ -184,8 +181,8 @@ void AddLegal(CLI::App& app, Run& run) {
           ->excludes(save);
   CLI::Option* resolved =
       verb->add_flag("--resolved", options.resolved,
-                     "The image is what a multisampled target was resolved to: of each pixel how "
-                     "many of its samples are covered, as rows of numbers or as grey, white: all")
+                     "Read the image as a resolved multisampled target: covered samples of each "
+                     "pixel, as rows of numbers or as grey (white: all)")
           ->excludes(background)
           ->excludes(counts)
           ->excludes(ids)
@@ -193,32 +190,32 @@ void AddLegal(CLI::App& app, Run& run) {
           ->excludes(save)
           ->excludes(decided);
   CLI::Option* list = verb->add_option("--list", options.list,
-                                       "File of drawings to judge, each its own (docs/commands.md)")
+                                       "File of drawings to judge one by one (docs/commands.md)")
                           ->excludes(facings)
                           ->excludes(json)
                           ->excludes(save)
                           ->excludes(decided)
                           ->excludes(resolved);
   verb->add_option("--junit", options.junit,
-                   "Verdicts on the list as JUnit XML (-: standard output)")
+                   "Verdicts on the list as JUnit XML (- for standard output)")
       ->needs(list);
-  CLI::Option* png =
-      verb->add_option("--png", options.png, "Picture: where legal models differ")->needs(decided);
-  verb->add_option(
-          "--mask", options.mask,
-          "PNG (or NAME.pgm, or an array as NAME.h, .ts or .py) for a comparison of pictures: 255 "
-          "must be covered, 0 must not, 128 is open")
+  CLI::Option* png = verb->add_option("--png", options.png, "Picture of where legal models differ")
+                         ->needs(decided);
+  verb->add_option("--mask", options.mask,
+                   "Mask for comparing pictures, as PNG, NAME.pgm or an array (NAME.h, .ts, .py): "
+                   "255 must be covered, 0 must not, 128 is open")
       ->needs(decided);
-  verb->add_option("--assume-transform-error", options.transform_error,
-                   "Judge clip space: x and y may be off by N x 2^-24 of their size, then snapped")
+  verb->add_option(
+          "--assume-transform-error", options.transform_error,
+          "Judge clip space: before the snap, x and y may be off by N x 2^-24 of their size")
       ->check(CLI::Range(0.0, 0x1p20));
-  verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
+  verb->add_option("--view", options.view, "Part of the target to show: COLUMN,ROW,WIDTH,HEIGHT")
       ->delimiter(',')
       ->expected(4)
       ->needs(png);
   verb->add_option("--scale", options.scale,
-                   "Side of a pixel in the picture; from 4 on with the triangles' edges, from 8 on "
-                   "with pixel numbers and a legend")
+                   "Side of a pixel in the picture; 4 and more show edges, 8 and more also pixel "
+                   "numbers and a legend")
       ->check(CLI::Range(1, 128))
       ->capture_default_str()
       ->needs(png);
@@ -238,13 +235,13 @@ void AddPlan(CLI::App& app, Run& run) {
   verb->add_flag("--measure", options.measure,
                  "Time what each left-out stage saves on this scene, and the whole pipeline");
   verb->add_option("--error", options.error,
-                   "Name the cheapest method that is proved to move no edge by more pixels")
+                   "Name the cheapest method proved to move no edge by more than this many pixels")
       ->check([](const std::string& text) {
         double pixels = -1;
         const bool is_number = CLI::detail::lexical_cast(text, pixels);
         return is_number && pixels >= 0 && std::isfinite(pixels) ? "" : "give pixels, 0 or more";
       });
-  verb->add_option("--bench", options.bench, "File that bench --json wrote: the times for --error");
+  verb->add_option("--bench", options.bench, "File of bench --json with the times for --error");
   verb->callback([&run] { run = [] { return RunPlan(options); }; });
 }
 
@@ -253,9 +250,9 @@ void AddPlan(CLI::App& app, Run& run) {
 void AddListLength(CLI::App* app, std::size_t& length) {
   app->add_option_function<std::string>(
          "--list-length", [&length](const std::string& text) { length = ParseListLength(text); },
-         "Triangles before the mesh in the longest list that is drawn")
+         "Triangles before the mesh in the longest list")
       ->type_name("COUNT")
-      ->default_str("65537, of a program 257");
+      ->default_str("65537; for a program 257");
 }
 
 void AddSceneVerbs(CLI::App& app, Run& run) {
@@ -267,10 +264,9 @@ void AddSceneVerbs(CLI::App& app, Run& run) {
 namespace {
 
 void AddPipe(CLI::App* app, PipeOptions& options) {
-  app->add_option("--property", options.property, "Property to put to the test")
-      ->capture_default_str();
+  app->add_option("--property", options.property, "Property to test")->capture_default_str();
   app->add_option("--description", options.description,
-                  "File that says what the program states (docs/subjects.md)");
+                  "The program's description (docs/subjects.md)");
   app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
   AddCampaign(app, options.campaign);
 }
@@ -305,20 +301,19 @@ void AddPipeVerb(CLI::App& app, Run& run) {
   static PipeOptions options;
   static HostOptions host;
   CLI::App* verb = app.add_subcommand(
-      "pipe", "Test a program on a pipe that you lay: pipe ask | PROGRAM | pipe judge");
+      "pipe", "Test a program in your own pipe: pipe ask | PROGRAM | pipe judge");
   verb->require_subcommand(1);
-  CLI::App* ask = verb->add_subcommand("ask", "Requests to draw, for a program's standard input");
+  CLI::App* ask = verb->add_subcommand("ask", "Print requests for a program's standard input");
   AddPipe(ask, options);
   ask->callback([&run] { run = [] { return RunAsk(options); }; });
-  CLI::App* judge =
-      verb->add_subcommand("judge", "Judge on standard input the answers to what ask asked");
+  CLI::App* judge = verb->add_subcommand("judge", "Judge the program's answers on standard input");
   AddPipe(judge, options);
   judge->callback([&run] { run = [] { return RunJudge(options); }; });
   AddFormer(verb, "shrink", "replay CASE --shrink FILE", run);
   AddFormer(verb, "infer", "infer", run);
-  CLI::App* answer = verb->add_subcommand("answer", "Answer requests by a plugin");
+  CLI::App* answer = verb->add_subcommand("answer", "Answer requests with a plugin");
   answer->add_option("subject", host.subject, "plugin:PATH")->required();
-  answer->add_flag("--describe", host.describe, "Say only what it states");
+  answer->add_flag("--describe", host.describe, "Print only its description");
   AddFloatMode(answer, "--fp-env", FloatModeOfHost::Where::kFromTheStart,
                "Floating-point mode in which the plugin is loaded and called", host.float_mode);
   AddFloatMode(answer, "--fp-env-of-workers", FloatModeOfHost::Where::kInOtherThreads,
@@ -330,24 +325,25 @@ void AddPipeVerb(CLI::App& app, Run& run) {
 void AddWidthsVerb(CLI::App& app, Run& run) {
   static WidthsOptions options;
   CLI::App* verb = app.add_subcommand(
-      "widths", "Fewest bits of every value of an integer edge function, with the input for each");
+      "widths",
+      "Fewest bits for every value of an integer edge function, with inputs that need them");
   verb->add_option("--fixed", options.fixed,
-                   "Bits of a coordinate before and after the point, 12.4; with --signed the sign "
-                   "is one of those before it")
+                   "Bits of a coordinate before and after the point: 12.4; with --signed the first "
+                   "is the sign")
       ->required();
   verb->add_flag("--signed,!--unsigned", options.is_signed, "Coordinates have a sign (default)");
   verb->add_option("--target", options.target, "Width and height of the largest target: 4096x4096")
       ->required();
   verb->add_option("--samples", options.samples,
-                   "Where samples lie in a pixel: standard-1, -2, -4, -8, -16, or a list of places "
-                   "as the profile key sample_locations has it: '[[0, 0], [0.5, 0.5]]'")
+                   "Sample locations: standard-1, -2, -4, -8, -16, or a list as in the profile key "
+                   "sample_locations: '[[0, 0], [0.5, 0.5]]'")
       ->capture_default_str();
-  verb->add_option("--tile", options.tile, "Pixels of a tile's side, and of the larger step")
+  verb->add_option("--tile", options.tile, "Side of a tile in pixels; also the larger step")
       ->check(CLI::Range(1, kMaxTargetSide))
       ->capture_default_str();
-  verb->add_option("--json", options.json, "File of the same as JSON (- for standard output)");
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
   verb->add_option("--save", options.save,
-                   "Folder for a case of each value: the input that needs the last bit");
+                   "Folder for one case per value: the input that needs its last bit");
   verb->callback([&run] { run = [] { return RunWidths(options); }; });
 }
 
@@ -355,48 +351,47 @@ void AddVectorsVerb(CLI::App& app, Run& run) {
   static GenerateOptions generate_options;
   static VerifyOptions verify_options;
   CLI::App* verb = app.add_subcommand(
-      "vectors", "Cases and what is required of them as files, for your own test bench");
+      "vectors", "Write cases and their required coverage as files for your own test bench");
   verb->require_subcommand(1);
   CLI::App* generate = verb->add_subcommand("generate", "Write cases drawn for a profile");
   generate->add_option("--profile", generate_options.profile, "Profile")->required();
   generate->add_option("--level", generate_options.level, "1: 500 cases, 2: 50,000")
       ->check(CLI::IsMember({1, 2}))
       ->capture_default_str();
-  generate->add_option("--cases", generate_options.cases, "Cases, in place of the level's number")
+  generate->add_option("--cases", generate_options.cases, "Cases, instead of the level's number")
       ->check(Positive());
   AddSeed(generate, generate_options.seed);
-  CLI::Option* const world = generate->add_option(
-      "--world", generate_options.world,
-      "Every triangle with coordinates of so many bits before and after the point (2.1; with a "
-      "sign s2.1), in place of drawn cases");
+  CLI::Option* const world =
+      generate->add_option("--world", generate_options.world,
+                           "Instead of drawn cases, every triangle with so many bits before and "
+                           "after the point of a coordinate (2.1; with a sign s2.1)");
   for (const char* of_drawn : {"--level", "--cases", "--seed"})
     world->excludes(generate->get_option(of_drawn));
-  generate->add_flag("--yes", generate_options.yes, "However many cases the world has")
+  generate->add_flag("--yes", generate_options.yes, "Accept a world of any number of cases")
       ->needs(world);
   generate->add_option("--format", generate_options.format, "Format of the files")
       ->check(CLI::IsMember({"jsonl", "c", "readmemh"}))
       ->capture_default_str();
   generate
       ->add_option("-o,--out", generate_options.output,
-                   "File (- for standard output); of readmemh a folder")
+                   "File (- for standard output); for readmemh a folder")
       ->capture_default_str();
   generate->callback([&run] { run = [] { return RunGenerate(generate_options); }; });
   CLI::App* verify = verb->add_subcommand(
-      "verify", "Look for answers that contradict every legal drawing; this never acquits");
-  verify->add_option("vectors", verify_options.vectors, "File that generate wrote as jsonl")
+      "verify", "Find answers that contradict every legal drawing; finding none proves nothing");
+  verify->add_option("vectors", verify_options.vectors, "File of generate in the format jsonl")
       ->required();
-  CLI::Option* const answers =
-      verify->add_option("answers", verify_options.answers,
-                         "File of what your rasterizer covered (- for standard input)");
-  AddSubject(verify, verify_options.subject, "Subject that draws in place of a file of answers");
+  CLI::Option* const answers = verify->add_option(
+      "answers", verify_options.answers, "Your rasterizer's answers (- for standard input)");
+  AddSubject(verify, verify_options.subject, "Subject that draws, instead of a file of answers");
   for (const char* subject : {"--subject", "--plugin", "--exec"})
     answers->excludes(verify->get_option(subject));
   verify
-      ->add_flag("--alone", verify_options.alone,
-                 "Each answer is from a call of its own: joint constraints, which are about one "
-                 "call, are not judged")
+      ->add_flag(
+          "--alone", verify_options.alone,
+          "Each answer comes from its own call: skip joint constraints, which are about one call")
       ->excludes(verify->get_option("--subject"));
-  verify->add_option("--show", verify_options.shown, "Contradictions printed, at most")
+  verify->add_option("--show", verify_options.shown, "Maximum contradictions to print")
       ->capture_default_str();
   verify->callback([&run] { run = [] { return RunVerify(verify_options); }; });
 }

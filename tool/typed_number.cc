@@ -36,7 +36,7 @@ int ParseCount(const std::string& option, const std::string& text, int most) {
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, count);
   if (error == std::errc() && at == end && count >= 1 && count <= most) return count;
-  throw InputError(fmt::format("{} {}", option, text), "not a count that it takes",
+  throw InputError(fmt::format("{} {}", option, text), "not a valid count",
                    fmt::format("give an integer of 1 to {}", most));
 }
 
@@ -46,13 +46,13 @@ std::size_t ParseListLength(const std::string& text) {
   const auto [at, error] = std::from_chars(text.data(), end, length);
   const std::string place = fmt::format("--list-length {}", text);
   if (error == std::errc::invalid_argument || at != end || (error == std::errc() && length < 1)) {
-    throw InputError(place, "not a count that it takes",
+    throw InputError(place, "not a valid count",
                      fmt::format("give an integer of 1 to {}", kMostListLength));
   }
   if (error != std::errc() || length > kMostListLength) {
     throw InputError(place,
-                     "a request on a pipe holds 2^26 triangles and a primitive id, an int32, "
-                     "numbers 2^31, so that no longer list can be drawn",
+                     "no longer list can be drawn: a request on a pipe holds 2^26 triangles, and "
+                     "primitive ids number 2^31",
                      fmt::format("give an integer of 1 to {}", kMostListLength));
   }
   const auto memory = static_cast<std::size_t>(sysconf(_SC_PHYS_PAGES)) *
@@ -73,7 +73,7 @@ double ParseSeconds(const std::string& option, const std::string& text) {
   const std::string unit = text.substr(used);
   const double factor = unit.empty() || unit == "s" ? 1 : unit == "m" ? 60 : unit == "h" ? 3600 : 0;
   if (used == 0 || factor == 0 || !(seconds > 0) || seconds > 1e6) {
-    throw InputError(option + " " + text, "it is no time",
+    throw InputError(option + " " + text, "it is not a time",
                      "give seconds or minutes, as 90s or 10m");
   }
   return seconds * factor;

@@ -10,12 +10,13 @@
 #include <string_view>
 
 #include "CLI/CLI.hpp"
-#include "props/run/campaign.h"
+#include "props/run/campaign_options.h"
+#include "subjects/process/groups.h"
 #include "tool/interrupt.h"
 
 namespace rasterproof::tool {
 
-/// What the command is to do once its options are parsed.
+/// Runs the command after its options are parsed.
 using Run = std::function<int()>;
 
 /// A number above 0.
@@ -50,11 +51,11 @@ void AddJobs(CLI::App* app, int& jobs, const std::string& what);
 inline constexpr std::string_view kCaseHelp =
     "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
 
-/// Runs a verb that says what it knows so far when it is interrupted. Any other one ends at once,
+/// Runs a verb that prints its results so far when interrupted. Other verbs end at once,
 /// as programs do.
 template <typename Options>
 int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
-  CatchInterrupts();
+  CatchInterrupts(subjects::Interrupt);
   const int status = verb(options);
   return Interrupted() ? InterruptStatus() : status;
 }

@@ -34,12 +34,15 @@ std::optional<Stages<Point2>> Composed(const Stages<Point2>& a, const Stages<Poi
   both.draws_flat = a.draws_flat || b.draws_flat;
   Add(both.model, b.model);
   Add(both.options, b.options);
+  Add(both.scene, b.scene);
   Add(both.vertices, b.vertices);
   Add(both.place, b.place);
   Add(both.facing, b.facing);
   Add(both.edges, b.edges);
   Add(both.box, b.box);
   Add(both.share, b.share);
+  Add(both.weights, b.weights);
+  Add(both.depth, b.depth);
   Add(both.after, b.after);
   Add(both.batch, b.batch);
   if (!Merge(both.leaves_out, b.leaves_out)) {
@@ -53,13 +56,13 @@ std::optional<Stages<Point2>> Composed(const Stages<Point2>& a, const Stages<Poi
       return one(s, t) * two(s, t);
     };
   }
-  const bool is_one = Merge(both.tile, b.tile) && Merge(both.clip, b.clip) &&
-                      Merge(both.turns_over, b.turns_over) && Merge(both.drops, b.drops) &&
-                      Merge(both.wrap, b.wrap) && Merge(both.snap, b.snap) &&
-                      Merge(both.too_large, b.too_large) && Merge(both.area, b.area) &&
-                      Merge(both.tile_test, b.tile_test) && Merge(both.sample, b.sample) &&
-                      Merge(both.value, b.value) && Merge(both.owns, b.owns) &&
-                      Merge(both.index, b.index) && Merge(both.kept_by, b.kept_by);
+  const bool is_one =
+      Merge(both.tile, b.tile) && Merge(both.clip, b.clip) &&
+      Merge(both.turns_over, b.turns_over) && Merge(both.drops, b.drops) &&
+      Merge(both.wrap, b.wrap) && Merge(both.snap, b.snap) && Merge(both.too_large, b.too_large) &&
+      Merge(both.area, b.area) && Merge(both.tile_test, b.tile_test) &&
+      Merge(both.sample, b.sample) && Merge(both.value, b.value) && Merge(both.owns, b.owns) &&
+      Merge(both.index, b.index) && Merge(both.id, b.id) && Merge(both.kept_by, b.kept_by);
   return is_one ? std::optional(both) : std::nullopt;
 }
 

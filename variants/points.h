@@ -3,7 +3,9 @@
 #define RASTERPROOF_VARIANTS_POINTS_H_
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 
@@ -31,6 +33,22 @@ inline std::int64_t EdgeValue(GridPoint a, GridPoint b, GridPoint p) {
   return static_cast<std::int64_t>(std::clamp(value, kLeast, kMost));
 }
 
+/// The value of the edge a -> b at p in double, each operation rounded.
+inline double RoundedEdgeValue(Point2 a, Point2 b, Point2 p) {
+  return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
+}
+
+/// The barycentrics of p in double.
+///
+/// Domain:     a triangle whose area is not zero in double.
+inline std::array<double, 3> BarycentricsAt(const std::array<Point2, 3>& v, Point2 p) {
+  const double area = RoundedEdgeValue(v[0], v[1], v[2]);
+  std::array<double, 3> of_p{};
+  for (std::size_t i = 0; i < 3; ++i)
+    of_p[i] = RoundedEdgeValue(v[(i + 1) % 3], v[(i + 2) % 3], p) / area;
+  return of_p;
+}
+
 /// The pixel that a coordinate lies in, rounded toward zero; far outside one at 2^28 pixels.
 ///
 /// Domain:     not NaN.
@@ -51,6 +69,7 @@ struct Lattice<Point2> {
   /// Whether it draws a triangle with a vertex there, in pixels.
   static bool Reaches(double x, double /*limit*/) { return std::isfinite(x); }
   static Point2 At(double x, double y) { return {x, y}; }
+  static Point2 InPixels(Point2 p) { return p; }
   static Point2 SampleOf(int x, int row, Point2 offset) { return {offset.x + x, offset.y + row}; }
   /// The first pixel whose sample at `offset` lies at or beyond the coordinate.
   static int FirstPixel(double at, double offset) { return ToPixel(std::ceil(at - offset)); }
@@ -70,6 +89,10 @@ struct Lattice<GridPoint> {
     return static_cast<std::int64_t>(std::ldexp(pixels, bits));
   }
   GridPoint At(double x, double y) const { return {Steps(x), Steps(y)}; }
+  Point2 InPixels(GridPoint p) const {
+    return {std::ldexp(static_cast<double>(p.x), -bits),
+            std::ldexp(static_cast<double>(p.y), -bits)};
+  }
   GridPoint SampleOf(int x, int row, const GridPoint& offset) const {
     return {(std::int64_t{x} << bits) + offset.x, (std::int64_t{row} << bits) + offset.y};
   }

@@ -18,16 +18,6 @@ int Compare(Number a, Number b) {
   return (a > b) - (a < b);
 }
 
-// The sample moves by (+-e, +-e^2), or by (+-e^2, +-e): whether it then is on the positive side.
-template <class Point>
-bool Owns(const Edge<Point>& edge, const TieRule& rule) {
-  if (!rule.IsConsistent()) return rule.inclusive;
-  const int along_x = rule.sign_x * Compare(edge.b.y, edge.a.y);
-  const int along_y = rule.sign_y * Compare(edge.a.x, edge.b.x);
-  const int first = rule.y_first ? along_y : along_x;
-  return (first != 0 ? first : rule.y_first ? along_x : along_y) > 0;
-}
-
 template <class Point>
 class Rasterizer final : public Subject {
  public:
@@ -62,7 +52,7 @@ class Rasterizer final : public Subject {
     const Profile& model;
     DrawOptions options;
     CoverageCounts& counts;
-    std::vector<std::int32_t>* ids;   // if set, a sample shows one triangle
+    Drawing* shown;                   // if set, a sample shows one triangle
     std::vector<Point> offsets = {};  // of sample s from pixel (x, row)
     PixelRect clip = {};
     int tile = 0;
@@ -73,7 +63,7 @@ class Rasterizer final : public Subject {
   CoverageCounts DrawnWhole(const Scene& scene, const Profile& model, DrawOptions options) const;
   void DrawAnew(const Scene& scene, const DrawOptions& options, CoverageCounts& counts);
   void DrawTriangles(const Scene& scene, const Profile& model, const DrawOptions& options,
-                     CoverageCounts& counts, std::vector<std::int32_t>* ids) const;
+                     CoverageCounts& counts, Drawing* shown) const;
   void Prepare(Target& target) const;
   std::optional<Point> PlacedVertex(const Vertex& v, const Target& target) const;
   std::optional<Placed<Point>> SetUp(const Target& target, std::size_t number) const;
@@ -83,6 +73,8 @@ class Rasterizer final : public Subject {
   bool Covers(const Placed<Point>& triangle, const Sample<Point>& sample) const;
   void DrawTile(const Placed<Point>& triangle, const PixelRect& tile, Target& target) const;
   void Put(const Sample<Point>& sample, const Placed<Point>& triangle, Target& target) const;
+  void ShowAt(std::size_t k, const Sample<Point>& sample, const Placed<Point>& triangle,
+              Target& target) const;
 
   SubjectInfo info_;
   Stages<Point> stages_;
@@ -157,7 +149,8 @@ std::optional<Placed<Point>> Rasterizer<Point>::SetUp(const Target& target,
   if (area == 0 && !stages_.draws_flat) return std::nullopt;
   if (AlwaysCulls(model, Compare(area, {}))) return std::nullopt;
   triangle.front = area > 0;
-  if (!triangle.front) {
+  triangle.is_turned = !triangle.front;
+  if (triangle.is_turned) {
     std::swap(triangle.v[1], triangle.v[2]);
     std::swap(triangle.indices[1], triangle.indices[2]);
     std::swap(triangle.given[1], triangle.given[2]);
@@ -235,7 +228,7 @@ void Rasterizer<Point>::Put(const Sample<Point>& sample, const Placed<Point>& tr
   const std::size_t k =
       stages_.index ? stages_.index(counts, sample) : counts.Index(sample.x, sample.row, sample.s);
   if (k >= counts.size()) return;
-  if (target.ids == nullptr) {
+  if (target.shown == nullptr) {
     const bool tells = info_.coverage == CoverageKind::kFacingCounts;
     (triangle.front || !tells ? counts.front : counts.back)[k] += times;
     return;
@@ -243,7 +236,27 @@ void Rasterizer<Point>::Put(const Sample<Point>& sample, const Placed<Point>& tr
   const bool is_taken = info_.fragments.visible == Visible::kFirstDrawn && counts.front[k] != 0;
   if (times == 0 || is_taken) return;
   counts.front[k] = 1;
-  (*target.ids)[k] = static_cast<std::int32_t>(triangle.number);
+  ShowAt(k, sample, triangle, target);
+}
+
+template <class Point>
+void Rasterizer<Point>::ShowAt(std::size_t k, const Sample<Point>& sample,
+                               const Placed<Point>& triangle, Target& target) const {
+  Drawing& shown = *target.shown;
+  const std::size_t count = target.scene.triangles.size();
+  const std::size_t id = stages_.id ? stages_.id(triangle.number, count) : triangle.number;
+  shown.primitive_ids[k] = static_cast<std::int32_t>(id);
+  if (shown.barycentrics.empty()) return;
+  const auto pixels = [&](Point p) { return base_.lattice.InPixels(p); };
+  const std::array<Point, 3> v = triangle.AsListed(triangle.v);
+  Weights& weights = shown.barycentrics[k];
+  weights = BarycentricsAt({pixels(v[0]), pixels(v[1]), pixels(v[2])}, pixels(sample.at));
+  if (stages_.weights) stages_.weights(weights, triangle, sample);
+  double depth = 0;
+  const std::array<Vertex, 3> given = triangle.AsListed(triangle.given);
+  for (std::size_t i = 0; i < 3; ++i) depth += weights[i] * given[i].z;
+  if (stages_.depth) stages_.depth(depth, weights, triangle);
+  shown.depths[k] = depth;
 }
 
 template <class Point>
@@ -287,16 +300,17 @@ void Rasterizer<Point>::DrawTriangle(const Placed<Point>& triangle, Target& targ
   }
 }
 
-// `ids`: where it shows one triangle a sample.
+// `shown`: where it shows one triangle a sample.
 template <class Point>
 void Rasterizer<Point>::DrawTriangles(const Scene& given, const Profile& model,
                                       const DrawOptions& options, CoverageCounts& counts,
-                                      std::vector<std::int32_t>* ids) const {
+                                      Drawing* shown) const {
   std::optional<Scene> taken;
   if (base_.to_window != nullptr) taken = base_.to_window(model, given);
+  if (stages_.scene) stages_.scene(taken ? *taken : taken.emplace(given), options);
   const Scene& scene = taken ? *taken : given;
   const Profile on_target = base_.on_target(model, scene);
-  Target target{scene, on_target, options, counts, ids};
+  Target target{scene, on_target, options, counts, shown};
   Prepare(target);
   for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
     if (stages_.drops && stages_.drops(scene, t)) continue;
@@ -313,8 +327,12 @@ Drawing Rasterizer<Point>::Show(const DrawJob& job) {
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
   drawing.primitive_ids.assign(drawing.counts.size(), kNoPrimitive);
+  if (info_.coverage == CoverageKind::kFragments) {
+    drawing.barycentrics.resize(drawing.counts.size());
+    drawing.depths.resize(drawing.counts.size());
+  }
   const Scene scene = SceneOf(job);
-  DrawTriangles(scene, ModelOf(scene), job.options, drawing.counts, &drawing.primitive_ids);
+  DrawTriangles(scene, ModelOf(scene), job.options, drawing.counts, &drawing);
   return drawing;
 }
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
@@ -15,6 +16,7 @@
 #include "core/drawing.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/tie_rule.h"
 #include "core/vertex.h"
 #include "variants/points.h"
 
@@ -44,8 +46,28 @@ struct Placed {
   Triangle indices = {};
   std::array<Point, 3> v = {};
   bool front = true;
+  bool is_turned = false;                 ///< vertices 1 and 2 are exchanged
   std::array<Edge<Point>, 3> edges = {};  ///< edge i is opposite vertex i
+
+  /// What belongs to its vertices, in the order in which the scene lists them.
+  template <class Number>
+  std::array<Number, 3> AsListed(std::array<Number, 3> of_vertices) const {
+    if (is_turned) std::swap(of_vertices[1], of_vertices[2]);
+    return of_vertices;
+  }
 };
+
+/// Whether a sample exactly on the edge is inside: it moves by (+-e, +-e^2), or by (+-e^2, +-e),
+/// to one side.
+template <class Point>
+bool Owns(const Edge<Point>& edge, const TieRule& rule) {
+  if (!rule.IsConsistent()) return rule.inclusive;
+  const auto compare = [](auto a, auto b) { return (a > b) - (a < b); };
+  const int along_x = rule.sign_x * compare(edge.b.y, edge.a.y);
+  const int along_y = rule.sign_y * compare(edge.a.x, edge.b.x);
+  const int first = rule.y_first ? along_y : along_x;
+  return (first != 0 ? first : rule.y_first ? along_x : along_y) > 0;
+}
 
 /// One sample of the target, in axes of the screen: x right, y down, also where y is up.
 template <class Point>
@@ -63,6 +85,9 @@ struct Sample {
 using ClipTriangle = std::array<Vertex, 3>;
 
 enum class TileTest : std::uint8_t { kOutside, kInside, kMixed };
+
+/// Of a triangle's vertices at a sample, as the scene lists them.
+using Weights = std::array<double, 3>;
 
 /// The stages in their order. An empty function leaves its stage sound.
 template <class Point>
@@ -84,6 +109,8 @@ struct Stages {
   /// Whether the triangle of clip space is taken for one of the other facing.
   std::function<bool(const ClipTriangle&)> turns_over = {};
   std::function<void(DrawOptions&, const Scene&)> options = {};
+  /// What it takes the scene for.
+  std::function<void(Scene&, const DrawOptions&)> scene = {};
   /// Whether the triangle is not even looked at.
   std::function<bool(const Scene&, std::size_t number)> drops = {};
   std::function<void(std::array<Vertex, 3>&)> vertices = {};
@@ -110,6 +137,11 @@ struct Stages {
   /// How often the triangle counts at a sample that it covers.
   std::function<std::uint32_t(const Sample&, const Placed&)> times = {};
   std::function<std::size_t(const CoverageCounts&, const Sample&)> index = {};
+  // Of fragments. Weights are screen barycentrics of the placed vertices, the value is the depth
+  // that they interpolate, in the order of the vertices.
+  std::function<std::size_t(std::size_t number, std::size_t count)> id = {};
+  std::function<void(Weights&, const Placed&, const Sample&)> weights = {};
+  std::function<void(double& depth, const Weights&, const Placed&)> depth = {};
   std::function<void(CoverageCounts&, const CoverageCounts& before)> after = {};
   /// By what images of whole draws are kept and found again, beside target, culling and scissor;
   /// each subject keeps its own. Empty: none is kept.

@@ -70,7 +70,7 @@ Options TakeOptions(int* argc, char*** argv) {
 
 std::unique_ptr<rasterproof::Subject> Loaded(const Options& asked) {
   if (asked.plugin.empty() == asked.subject.empty()) {
-    Refuse("of what? give --plugin FILE, or --subject NAME");
+    Refuse("no subject; give --plugin FILE or --subject NAME");
   }
   if (!asked.subject.empty()) return rasterproof::fuzz::SubjectNamed(asked.subject);
   auto [subject, profile] = rasterproof::subjects::LoadPlugin(asked.plugin);

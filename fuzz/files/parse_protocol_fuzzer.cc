@@ -54,7 +54,7 @@ void ReadRequests(std::string_view text) {
   const auto again = rasterproof::fuzz::IfRead(Rewritten, *written);
   if (!again) rasterproof::fuzz::Fail("requests as written are refused: " + *written);
   if (*again != *written) {
-    rasterproof::fuzz::Fail("requests read back otherwise: " + *written + "\nthen " + *again);
+    rasterproof::fuzz::Fail("requests read back differently: " + *written + "\nthen " + *again);
   }
 }
 

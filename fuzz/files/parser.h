@@ -39,7 +39,7 @@ int ReadsBack(std::string_view text, const Read& read, const Write& write) {
   const std::string written = write(*value);
   const auto again = IfRead(read, written);
   if (!again) Fail("what was written is refused: " + written);
-  if (write(*again) != written) Fail("what was written reads back otherwise: " + written);
+  if (write(*again) != written) Fail("what was written reads back differently: " + written);
   return kLookedAt;
 }
 

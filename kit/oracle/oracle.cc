@@ -82,7 +82,8 @@ rasterproof_oracle_status Guarded(const Act& act) noexcept {
   } catch (const InputError& error) {
     return Fail(RASTERPROOF_ORACLE_BAD_ARGUMENT, error.what());
   } catch (const std::bad_alloc&) {
-    return Fail(RASTERPROOF_ORACLE_NO_MEMORY, "no memory; draw on a smaller target, or in parts");
+    return Fail(RASTERPROOF_ORACLE_NO_MEMORY,
+                "not enough memory; draw on a smaller target, or in parts");
   } catch (const std::exception& error) {
     return Fail(RASTERPROOF_ORACLE_FAULT, error.what());
   } catch (...) {
@@ -248,8 +249,8 @@ std::int32_t Judge(const Scene& scene, const Profile& profile, const CoverageCou
     case legal::Legality::kNotJudged:
       break;
   }
-  SetMessage("a part of the scene, " + std::to_string(verdict.largest_given_up) +
-             " triangles, is too large to be searched");
+  SetMessage("a component of the scene, " + std::to_string(verdict.largest_given_up) +
+             " triangles, is too large to search");
   return RASTERPROOF_ORACLE_NOT_JUDGED;
 }
 

@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "core/clock.h"
+#include "core/coverage.h"
 #include "props/cause/suspect.h"
 #include "props/judging/redraw.h"
 #include "props/run/case_order.h"
@@ -24,6 +27,19 @@ constexpr std::uint64_t kSplits = 320;  // cases that are looked at to tell susp
 constexpr std::uint64_t kSeedOfSplits = 1;
 constexpr std::uint64_t kFirstSplit = std::uint64_t{1} << 21;
 constexpr std::size_t kConfirmations = 16;  // draws more in which what is left must be wrong alike
+
+constexpr std::int64_t kSmallestBudget = 16;
+constexpr std::int64_t kLargestBudget = 1 << 16;
+constexpr std::size_t kMostHalved = 8;  // wrong draws that a budget is found by
+
+std::uint64_t CoveredIn(const Seen& drawings) {
+  std::uint64_t covered = 0;
+  for (const auto& drawing : drawings) {
+    const CoverageCounts& counts = drawing->counts;
+    for (std::size_t k = 0; k < counts.size(); ++k) covered += counts.Count(k);
+  }
+  return covered;
+}
 
 }  // namespace
 
@@ -59,8 +75,38 @@ bool Investigation::IsSound(Fitting& fitting) const {
   return true;
 }
 
+// The suspect with the budget within which it draws as much as the subject: of several the
+// roundest. A larger one draws no less, so that it is found by halving.
+std::optional<Suspect> Investigation::WithBudget(Suspect suspect) const {
+  if (!suspect.within) return suspect;
+  std::int64_t least = kSmallestBudget;
+  std::int64_t end = kLargestBudget + 1;
+  for (std::size_t k = 0; k < std::min(wrong_, kMostHalved); ++k) {
+    const Observation& o = observations_[k];
+    const std::uint64_t seen = CoveredIn(o.seen);
+    const auto drawn = [&](std::int64_t budget) {
+      return CoveredIn(DrawnBy(*MakeSuspect(subject_->Info(), suspect.within(budget)), o));
+    };
+    if (drawn(kSmallestBudget) > seen || drawn(kLargestBudget) <= seen) continue;
+    const auto first = [&](auto draws_less) {
+      return *std::ranges::partition_point(std::views::iota(least, end), draws_less);
+    };
+    least = first([&](std::int64_t n) { return drawn(n) < seen; });
+    end = first([&](std::int64_t n) { return drawn(n) <= seen; });
+  }
+  if (least == end || end > kLargestBudget) return std::nullopt;
+  for (std::int64_t rounder = least; rounder < end; rounder += rounder & -rounder) least = rounder;
+  suspect.stages = suspect.within(least);
+  suspect.what.replace(suspect.what.find("{}"), 2, std::to_string(least));
+  return suspect;
+}
+
 void Investigation::Race() {
-  suspects_ = SuspectsOf(subject_->Info().profile);
+  suspects_.clear();
+  for (Suspect& row : SuspectsOf(subject_->Info().profile)) {
+    if (std::optional<Suspect> suspect = WithBudget(std::move(row)))
+      suspects_.push_back(*std::move(suspect));
+  }
   partly_.clear();
   raced_ = observations_.size();
   stated_drew_.clear();

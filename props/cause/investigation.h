@@ -41,11 +41,12 @@ class Investigation {
   Investigation(const MakesSubject& make, std::span<const FailedProperty> failures, double seconds)
       : make_(make), failures_(failures), seconds_(seconds) {}
 
-  Explanation Run();
+  Causes Run();
 
  private:
   void Sort();
   void Race();
+  std::optional<Suspect> WithBudget(Suspect suspect) const;
   bool IsSound(Fitting& fitting) const;
   void TellApart(std::vector<Fitting>& left);
   bool Split(std::vector<Fitting>& left, const Case& c, bool also_alike);
@@ -95,7 +96,7 @@ class Investigation {
   std::set<std::size_t> open_;     // failures without a cause
   // Of failures: what draws alike, by too few scenes to be sure.
   std::map<std::size_t, Cause> hints_;
-  Explanation found_;
+  Causes found_;
 };
 
 }  // namespace rasterproof::props

@@ -2,6 +2,8 @@
 #ifndef RASTERPROOF_PROPS_CAUSE_SUSPECT_H_
 #define RASTERPROOF_PROPS_CAUSE_SUSPECT_H_
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,8 +26,10 @@ using SuspectSample = SuspectStages::Sample;
 /// A suspect of a profile.
 struct Suspect {
   std::string cause;  ///< its section of docs/causes.md: "truncation"
-  std::string what;   ///< completes "a rasterizer that ..."
+  std::string what;   ///< completes "a rasterizer that ..."; "{}" is its budget
   SuspectStages stages;
+  /// If set, its stages within a budget: of what is beyond nothing is drawn.
+  std::function<SuspectStages(std::int64_t budget)> within = {};
 };
 
 /// Whether suspects are drawn stage by stage: samples are points, edges are not rounded where they

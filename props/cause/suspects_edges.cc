@@ -299,6 +299,10 @@ int Stepped(const SuspectEdge& e, const SuspectSample& s, int tile) {
   return SignOf(value);
 }
 
+bool IsNear(const SuspectEdge& e, const SuspectSample& s, double tolerance) {
+  return std::fabs(variants::RoundedEdgeValue(e.a, e.b, s.at)) < tolerance;
+}
+
 void AddFloats(const Profile& profile, std::vector<Suspect>& list) {
   const auto add = [&](const std::string& what, Arithmetic sign) {
     AddArithmetic(
@@ -329,9 +333,8 @@ void AddFloats(const Profile& profile, std::vector<Suspect>& list) {
     list.push_back({"edge-precision",
                     "takes edge values near zero for zero",
                     {.value = [tolerance](const SuspectEdge& e, const SuspectSample& s) {
-                      const double value =
-                          (s.at.x - e.a.x) * (e.b.y - e.a.y) - (s.at.y - e.a.y) * (e.b.x - e.a.x);
-                      return std::fabs(value) < tolerance ? 0 : exact::EdgeSign(e.a, e.b, s.at);
+                      const bool is_near = IsNear(e, s, tolerance);
+                      return is_near ? 0 : exact::EdgeSign(e.a, e.b, s.at);
                     }}});
     if (!profile.snap.IsNone()) continue;  // on a grid they are among the integers
     for (const int side : {1, -1}) {
@@ -339,9 +342,7 @@ void AddFloats(const Profile& profile, std::vector<Suspect>& list) {
                       std::string(side > 0 ? "takes edge values near zero for inside"
                                            : "takes edge values near zero for outside"),
                       {.value = [tolerance, side](const SuspectEdge& e, const SuspectSample& s) {
-                        const double value =
-                            (s.at.x - e.a.x) * (e.b.y - e.a.y) - (s.at.y - e.a.y) * (e.b.x - e.a.x);
-                        const bool is_near = std::fabs(value) < tolerance;
+                        const bool is_near = IsNear(e, s, tolerance);
                         return is_near ? side : exact::EdgeSign(e.a, e.b, s.at);
                       }}});
     }

@@ -20,9 +20,7 @@ using Corners3 = std::array<Point2, 3>;
 
 int ExactArea(const Corners3& v) { return exact::EdgeSign(v[0], v[1], v[2]); }
 
-double AreaOf(const Corners3& v) {
-  return (v[2].x - v[0].x) * (v[1].y - v[0].y) - (v[2].y - v[0].y) * (v[1].x - v[0].x);
-}
+double AreaOf(const Corners3& v) { return variants::RoundedEdgeValue(v[0], v[1], v[2]); }
 
 template <class Number>
 int DirectArea(const Corners3& v) {
@@ -172,10 +170,6 @@ constexpr auto kFeatures = std::to_array<Feature>({
      },
      8, 16, false},
     {"with a coordinate beyond {} pixels", FarthestOf, 7, 26, false},
-    {"from number {} of the list on",
-     [](const SuspectTriangle& t) { return static_cast<double>(t.number) + 0.5; }, 4, 11, false},
-    {"with vertices from number {} on",
-     [](const SuspectTriangle& t) { return std::ranges::max(t.indices) + 0.5; }, 4, 16, false},
     {"with a vertex left of or above -{} pixels",
      [](const SuspectTriangle& t) {
        double least = 0;
@@ -225,6 +219,22 @@ void AddLost(std::vector<Suspect>& list) {
                       return std::fabs(AreaOf(t.v)) < limit;
                     }}});
   }
+}
+
+void AddBudgets(std::vector<Suspect>& list) {
+  using Number = std::int64_t (*)(const SuspectTriangle&);
+  const auto add = [&](const std::string& what, Number number) {
+    const auto within = [number](std::int64_t budget) -> SuspectStages {
+      return {.leaves_out = [=](const SuspectTriangle& t, const Scene&) {
+        return number(t) >= budget;
+      }};
+    };
+    list.push_back({"lost-triangles", what, {}, within});
+  };
+  add("leaves out triangles from number {} of the list on",
+      [](const SuspectTriangle& t) { return static_cast<std::int64_t>(t.number); });
+  add("leaves out triangles with vertices from number {} on",
+      [](const SuspectTriangle& t) { return std::int64_t{std::ranges::max(t.indices)}; });
 }
 
 bool IsMiddleOutside(const SuspectTriangle& t, const Scene& scene, double up) {
@@ -302,6 +312,7 @@ void AddTaking(const Profile& profile, std::vector<Suspect>& list) {
   AddFacings(profile, list);
   AddCulling(list);
   AddLost(list);
+  AddBudgets(list);
   AddFilters(profile, list);
   AddOddInput(list);
 }

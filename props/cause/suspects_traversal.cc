@@ -169,12 +169,15 @@ void AddTargets(std::vector<Suspect>& list) {
   add("draws nothing on targets of one column",
       [](const SuspectSample& s) { return s.width == 1; });
   add("draws nothing on targets of one row", [](const SuspectSample& s) { return s.height == 1; });
-  for (int k = 6; k <= 13; ++k) {
-    const int from = 1 << k;
-    add("never draws pixels from column " + std::to_string(from) + " on",
-        [from](const SuspectSample& s) { return s.x >= from; });
-    add("never draws pixels from row " + std::to_string(from) + " on",
-        [from](const SuspectSample& s) { return s.row >= from; });
+  for (const auto& [line, at] :
+       {std::pair("column", &SuspectSample::x), std::pair("row", &SuspectSample::row)}) {
+    const auto within = [at = at](std::int64_t budget) -> SuspectStages {
+      return {.times = [=](const SuspectSample& s, const SuspectTriangle&) {
+        return s.*at < budget ? 1U : 0U;
+      }};
+    };
+    list.push_back(
+        {"target-border", std::string("never draws pixels from ") + line + " {} on", {}, within});
   }
 }
 

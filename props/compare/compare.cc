@@ -31,6 +31,7 @@ void AddEnd(const Case& given, const CallEnd& end, Cell& cell) {
 void AddReading(const Case& given, const Reading& reading, std::size_t samples, Cell& cell) {
   if (reading.end.stop != Stop::kNone) return AddEnd(given, reading.end, cell);
   ++cell.cases;
+  cell.triangles += given.scene.triangles.size();
   cell.samples += samples;
   cell.wrong_samples += reading.wrong.size();
   if (reading.wrong.empty()) return;

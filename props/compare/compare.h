@@ -58,9 +58,9 @@ struct Reading {
   CallEnd end = {};                     ///< of what the yardstick drew itself
 };
 
-/// What a yardstick makes of a case that is not drawn yet.
+/// A yardstick's preparation of a case, before it is drawn.
 struct Judging {
-  std::string why_not;  ///< it says nothing of the case; empty: it reads the drawing
+  std::string why_not;  ///< why it can't judge the case; empty: it reads the drawing
   std::function<Reading(const Drawn&)> read = {};
 };
 /// The case at hand outlives the judging.

@@ -77,8 +77,8 @@ std::vector<UsualDrawing> DrawAsUsual(Subject& subject, std::uint64_t seed, std:
       if (again.end.stop != Stop::kNone ||
           Compare(again.drawing.counts, outcome.drawing.counts).wrong != 0) {
         throw InputError(subject.Info().name + " on " + c.origin,
-                         "it draws the same case differently from call to call",
-                         "mend that first: check --property EqualDrawsGiveEqualCounts");
+                         "it draws one case differently from call to call",
+                         "correct that first: check --property EqualDrawsGiveEqualCounts");
       }
     }
     usual.push_back({std::move(c), std::make_shared<const Drawing>(outcome.drawing)});

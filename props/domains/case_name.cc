@@ -34,7 +34,7 @@ CaseName ParseCaseName(std::string_view text) {
   const std::size_t colon = text.find(':');
   const std::size_t at = text.find('@', colon == text.npos ? 0 : colon);
   if (colon == text.npos || at == text.npos || colon == 0) {
-    throw InputError(Place(text), "that is not the name of a case",
+    throw InputError(Place(text), "it is not the name of a case",
                      "give DOMAIN:INDEX@SEED, such as near-edge:17@1; 'rasterproof list domains' "
                      "names the domains");
   }

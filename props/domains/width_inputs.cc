@@ -41,7 +41,7 @@ Case InputThatNeedsTheLastBit(std::uint64_t index, const SubjectInfo& info) {
 }
 
 std::string WhyNoWidths(const SubjectInfo& info) {
-  if (!info.profile.fixed) return "its input is not of a fixed-point format";
+  if (!info.profile.fixed) return "its input is not fixed point";
   if (!info.takes_window) return "it takes no window-space scenes";
   const auto why = exact::WhyNoEdgeWidths(UnitOf(info));
   return why ? why->what() : "";

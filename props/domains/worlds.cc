@@ -184,7 +184,7 @@ std::string WhyNotGiven(const World& world, const SubjectInfo& info) {
   if (info.profile.transform) return "its transform takes no vertex exactly to the world's points";
   const Profile& profile = info.profile;
   if (world.pixels * profile.pattern.samples() > kMaxTargetSamples) {
-    return "with its samples in a pixel the target is larger than any";
+    return "with its samples per pixel the target is too large";
   }
   if (world.why_not != nullptr) return world.why_not(info);
   const int pixels = (world.reach + 1) / 2;

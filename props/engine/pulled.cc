@@ -202,6 +202,7 @@ PulledShrink::PulledShrink(const Property& property, Case failing, const Campaig
 bool PulledShrink::GoOn(KnownAnswers& answers) {
   if (result_) return true;
   const std::optional<Trial> trial = TryAnswered(answers, property_, failing_);
+  if (!trial) AskAll(answers, property_, failing_);
   const bool may_fail = !trial || trial->verdict.outcome == Outcome::kViolated;
   if (may_fail && !shrinking_.GoOn(answers)) return false;
   const std::uint64_t before = answers.missed();

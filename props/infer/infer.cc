@@ -123,7 +123,7 @@ bool ConcludeWithoutFacings(Observer& observer, const ModelSpace& space,
     return false;
   }
   inference.facing = FacingReport::kNotTold;
-  inference.message = "facings of some triangles are another matter than their samples: left out";
+  inference.message = "facings of some triangles contradict their samples: left out";
   Conclude(observer, space, race, options, inference);
   return true;
 }
@@ -148,13 +148,13 @@ void RaceModels(Observer& observer, const Location& location, const InferOptions
     if (ConcludeWithoutFacings(observer, space, options, inference)) return;
   }
   inference.message = location.complaint.empty()
-                          ? "each model draws some triangle in another way than the subject"
+                          ? "each model draws some triangle differently from the subject"
                           : location.complaint;
   constexpr int kFinest = 256;
   if (location.per_pixel < kFinest) {
-    inference.message += "; places of samples were looked for on multiples of 1/" +
+    inference.message += "; sample locations were searched on multiples of 1/" +
                          std::to_string(location.per_pixel) +
-                         " pixel, as the stated ranges leave no room for finer ones";
+                         " pixel, for the stated ranges leave no room for finer ones";
   }
   if (const auto& last = race.last_refuted()) {
     inference.last_refuted =
@@ -183,7 +183,7 @@ void BreakOff(const Observer& observer, Inference& inference) {
     inference.message = "the subject was too slow to judge: " + observer.end().why;
     return;
   }
-  inference.message = "the subject broke off: " + observer.end().why;
+  inference.message = "the subject stopped: " + observer.end().why;
   inference.witness = CaseOf(observer.last_scene(), observer.info().profile);
 }
 

@@ -18,8 +18,7 @@
 
 namespace rasterproof::props {
 
-/// For a subject whose answers come in rounds: what is likely to be asked is asked before it is
-/// needed.
+/// Lets `Infer` request likely draws early, for subjects that answer in rounds.
 struct InferAhead {
   /// Returns how many draws had no answer so far.
   std::function<std::uint64_t()> missed;
@@ -33,7 +32,7 @@ struct InferOptions {
   int checks = 400;
   /// The same for the nearest model where none fits: near ones differ in few samples.
   int nearest_checks = 1200;
-  /// Given, draws are made for their own sake, and what is inferred is not to be looked at.
+  /// If set, the run only collects requests; ignore its result.
   std::optional<InferAhead> ahead = {};
 };
 

@@ -197,7 +197,7 @@ std::string ComplaintAgainst(const ProbeSize& size, const Profile& stated) {
         Exceeds({WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])},
                 *small.max_primitive_extent)) {
       return "it needs triangles of " + std::to_string(farthest - 2) +
-             " pixels a side, larger than what it promises to draw";
+             " pixels a side, larger than it promises to draw";
     }
   }
   return "";
@@ -217,12 +217,11 @@ std::string TooLittleRoom(const SubjectInfo& info) {
   const Profile& stated = info.profile;
   const auto& transform = stated.transform;
   if (transform && transform->map) {
-    return "it draws maps, and infer looks at places of the window; infer a variant that takes "
-           "window space";
+    return "it draws maps, and infer needs window space; give a variant that takes it";
   }
   if (!stated.scanline_rounding.IsNone()) {
-    return "it rounds where edges cross rows, as stated: on a grid that holds the samples that "
-           "cannot be told from samples that lie elsewhere";
+    return "it rounds where edges cross rows, as stated: on a grid that holds the samples this "
+           "can't be told from samples elsewhere";
   }
   return ComplaintAgainst(SizeFor(stated), stated);
 }

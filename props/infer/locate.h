@@ -14,7 +14,7 @@ namespace rasterproof::props {
 
 struct Location {
   YAxis y_axis = YAxis::kDown;
-  Cull culls = Cull::kNone;  ///< the side of which nothing was seen
+  Cull culls = Cull::kNone;  ///< the side that never appeared
   std::vector<PatternCandidate> patterns;
   /// Its places are multiples of 1 / per_pixel: of 1/256, or coarser where the stated range of
   /// coordinates, sizes or targets is too small for that.

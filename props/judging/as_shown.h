@@ -34,8 +34,8 @@ CoverageCounts AsShown(CoverageCounts counts);
 
 /// Why a property about counts or facings is not judged on such a mesh.
 inline constexpr std::string_view kJudgedAsShown =
-    "the mesh is too large to be drawn triangle by triangle: of one call with all of it, this "
-    "subject shows no counts and no facings";
+    "the mesh is too large to draw triangle by triangle, and in one call this subject shows "
+    "neither counts nor facings";
 
 /// Returns the verdict for a draw that is judged as it is shown: it can be violated but never
 /// holds, since how often a sample is covered does not show.

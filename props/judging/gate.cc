@@ -68,7 +68,7 @@ Wanted WantedBy(Shows shows) {
               "the subject takes a number of threads"};
     case Shows::kFloatModes:
       return {[](const D& d) { return d.info.takes_float_modes; },
-              "the caller can not set the floating-point mode of the subject",
+              "the caller can't set the floating-point mode of the subject",
               "the subject draws in the floating-point mode of its caller"};
     case Shows::kScissor:
       return {[](const D& d) { return d.info.takes_scissor; }, "the subject takes no scissor",
@@ -110,8 +110,9 @@ std::optional<std::string> ContractDoesNotState(const Profile& profile, const Ga
           gate.contract == ContractNeeded::kWatertight) {
         return std::nullopt;
       }
-      return profile.freedom.IsNone() ? "the profile leaves it open how often an edge is drawn"
-                                      : "the profile leaves the grid points or the tie rule free";
+      return profile.freedom.IsNone()
+                 ? "the profile does not say how often samples on a shared edge are covered"
+                 : "the profile leaves the grid points or the tie rule free";
     case Contract::kWatertight:
       if (gate.contract == ContractNeeded::kWatertight) return std::nullopt;
       return "the profile's contract states watertight meshes only";
@@ -143,7 +144,7 @@ std::optional<std::string> ProfileDoesNotState(const Gate& gate, const SubjectIn
   const bool is_of_fragments = gate.shows == Shows::kFragments || gate.shows == Shows::kDepths ||
                                gate.shows == Shows::kCentroids;
   if (is_of_fragments && !gate.any_owners && LeavesBarycentricsOpen(info, profile)) {
-    return "the profile leaves the grid points free that the barycentrics belong to";
+    return "the profile does not state the grid points that the barycentrics belong to";
   }
   return ContractDoesNotState(profile, gate);
 }
@@ -201,10 +202,10 @@ std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, con
   }
   if ((c.options.cull != Cull::kNone && !info.takes_culling) ||
       (c.options.scissor && !info.takes_scissor)) {
-    return NotExercisedVerdict("the case is culled or cut, and the subject does neither");
+    return NotExercisedVerdict("the case needs culling or a scissor that the subject lacks");
   }
   if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || StatesGuardBand(c.profile))) {
-    return NotExercisedVerdict("the case is in clip space, the profile speaks of window space");
+    return NotExercisedVerdict("the case is in clip space, but the profile is about window space");
   }
   if (!Takes(info, c.scene)) {
     return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");

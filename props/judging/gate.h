@@ -143,17 +143,17 @@ inline constexpr ProfileRule kOwnsEdges{
     "the tie rule does not give each sample of a shared edge to one side"};
 inline constexpr ProfileRule kClosesEdges{
     [](const Profile& p) { return p.tie_rule.IsConsistent() || !p.tie_rule.exclusive; },
-    "a tie rule that owns shared edges", "an exclusive tie rule covers shared edges never"};
-inline constexpr ProfileRule kCountsTies{[](const Profile& p) { return !p.shares_edge_samples; },
-                                         "no shared ties",
-                                         "the profile leaves it open how often an edge is drawn"};
+    "a tie rule that owns shared edges", "an exclusive tie rule never covers shared edges"};
+inline constexpr ProfileRule kCountsTies{
+    [](const Profile& p) { return !p.shares_edge_samples; }, "no shared ties",
+    "the profile does not say how often samples on a shared edge are covered"};
 inline constexpr ProfileRule kStatesSamplePositions{
     [](const Profile& p) { return p.sample_positions == SamplePositions::kStated; },
     "stated sample positions", "the profile does not state where samples lie"};
 inline constexpr ProfileRule kFixesSamplePositions{
     [](const Profile& p) { return p.sample_positions != SamplePositions::kVary; },
     "sample positions that are the same in every pixel",
-    "samples may lie elsewhere in another pixel"};
+    "sample positions may differ between pixels"};
 inline constexpr ProfileRule kDrawsBothFacings{
     [](const Profile& p) { return p.culls == Cull::kNone; }, "no side that is always culled",
     "the profile always culls one side"};

@@ -28,7 +28,7 @@ class OpenByCall {
   /// Domain:     legal::WhyNotJoint has nothing to say against the case.
   explicit OpenByCall(const PlacedCase& c);
 
-  /// What is expected, or there, what was observed.
+  /// The expected count; there, the observed one.
   CoverageCounts Expected(const CoverageCounts& observed, CoverageCounts expected) const;
   std::vector<std::int32_t> Expected(const std::vector<std::int32_t>& observed,
                                      std::vector<std::int32_t> expected) const;
@@ -47,7 +47,7 @@ class OpenByCall {
 /// Returns:    nothing if they may, and it is not known where.
 std::optional<OpenByCall> WhereCallsMayDiffer(const PlacedCase& c, bool they_may);
 inline constexpr const char* kPlacesNotKnown =
-    "calls may differ where legal models do, and the profile does not say where vertices lie";
+    "calls may differ where legal models do, for the profile does not state where vertices lie";
 
 }  // namespace rasterproof::props
 

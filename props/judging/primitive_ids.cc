@@ -48,7 +48,7 @@ Verdict SamePrimitiveIds(const Drawing& observed, const std::vector<std::int32_t
   witness.observed = PrimitiveAt(observed.primitive_ids[first], " wins");
   witness.expected = PrimitiveAt(expected[first], ", by the triangles " + how);
   return Verdict::Violated(std::max<std::uint64_t>(exercised, 1),
-                           "another triangle wins than the stated order says at " +
+                           "the visible triangle contradicts the stated order at " +
                                std::to_string(wrong) + " of " + std::to_string(expected.size()) +
                                " samples",
                            witness);

@@ -31,7 +31,7 @@ class Budget {
   void GiveSubject(double seconds);
   /// Gives the subject the rest of the run from now on.
   void GiveSubjectAll();
-  /// Another one has what is left of the run.
+  /// Another one has the rest of the run.
   void GiveAll(Subject& other) const { other.SetDeadline(end_); }
 
  private:

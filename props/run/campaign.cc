@@ -183,8 +183,7 @@ class Campaign {
   void TooSlow(const Case& c, const Verdict& verdict) {
     if (is_outside_) pace_.is_slow = true;
     const std::string why =
-        pace_.hangs ? "no answer within the short time that a case gets since another property saw "
-                      "the subject hang"
+        pace_.hangs ? "no answer in time; after a hang, cases of other properties get less"
                     : verdict.message;
     ++pace_.silent;
     EndWith(End::kInconclusive, c.origin + ": " + why);
@@ -228,7 +227,7 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
               std::uint64_t number) {
   const CaseOrder order(info, property, seed);
   if (order.IsEmpty()) {
-    throw InputError(std::string(property.name), "the subject takes scenes of none of its domains",
+    throw InputError(std::string(property.name), "the subject takes no scene of its domains",
                      "choose another property or subject");
   }
   return DrawCase(info, order.Name(number));

@@ -1,4 +1,4 @@
-// What a campaign is told: how many cases, how long, and whom it asks on its way.
+// Options of a campaign: number of cases, time, and callbacks.
 #ifndef RASTERPROOF_PROPS_RUN_CAMPAIGN_OPTIONS_H_
 #define RASTERPROOF_PROPS_RUN_CAMPAIGN_OPTIONS_H_
 

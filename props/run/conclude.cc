@@ -69,7 +69,7 @@ bool ChangesItsFront(const PropertyResult& result) {
 // Which side is the front, where that is left to the subject; else empty.
 std::string FrontText(const PropertyResult& result) {
   if (ChangesItsFront(result)) {
-    return "the subject changes its answer: the same triangle, of positive area, is front in " +
+    return "the subject contradicts itself: triangles of positive area are front in " +
            std::to_string(result.positive_fronts) + " cases and back in " +
            std::to_string(result.negative_fronts);
   }
@@ -86,7 +86,7 @@ std::string ChangedGridText(const PropertyResult& result) {
   const auto changed = std::ranges::find_if(
       result.grids, [](const GridsOnTarget& grids) { return grids.left.IsEmpty(); });
   if (changed == result.grids.end()) return "";
-  return "the subject changes its answer: of " + std::to_string(changed->cases) +
+  return "the subject contradicts itself: of " + std::to_string(changed->cases) +
          " cases on targets of " + SizeOf(*changed) +
          " each shows a grid, and no grid is shown by all";
 }
@@ -186,7 +186,7 @@ std::string NotReached(const SubjectInfo& info, const Property& property,
         result.tiers.exact, [](const Domain& d) { return d.exact_tier; },
         "a sign that takes the oracle's exact tier");
   }
-  if (!missed.empty()) AddSentence(missed, "run more cases, or mend the domain");
+  if (!missed.empty()) AddSentence(missed, "run more cases, or correct the domain");
   return missed;
 }
 
@@ -218,7 +218,7 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
   Conclusion said;
   if (result.exercised == 0 || !dead.empty()) {
     said.outcome = Outcome::kNotExercised;
-    if (result.exercised == 0) said.message = "no case put the property to the test";
+    if (result.exercised == 0) said.message = "no case exercised the property";
     AddSentence(said.message, dead);
     return said;
   }

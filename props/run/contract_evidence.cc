@@ -75,16 +75,14 @@ std::string Why(const SubjectInfo& info, std::uint64_t cases, std::uint64_t refu
   const std::string contract(ContractName(info.profile.contract));
   if (cases != 0 && refused == cases) {
     return "no property of the contract " + contract +
-           " was put to the test: the subject refused every case";
+           " was tested: the subject refused every case";
   }
   if (CanBePutToTheTest(info)) {
-    return "no property of the contract " + contract +
-           " was put to the test by the cases that were drawn: raise --cases";
+    return "no property of the contract " + contract + " was exercised: raise --cases";
   }
   const std::string keys = KeysInTheWay(info);
-  return "no property of the profile's contract " + contract + " can be put to the test: " +
-         (keys.empty() ? "the subject takes none of the scenes that its properties are about"
-                       : keys);
+  return "no property of the profile's contract " + contract +
+         " can be tested: " + (keys.empty() ? "the subject takes no scenes of their kinds" : keys);
 }
 
 bool StatesOwners(Contract contract) {
@@ -104,9 +102,8 @@ std::string WhyThin(Contract contract, std::span<const PropertyResult> results) 
     ties += near_edge.on_edge;
   }
   if (!StatesOwners(contract) || !is_counted || ties >= kFewestTies) return "";
-  return "thin: " + std::to_string(ties) + " samples on an edge put the contract " +
-         std::string(ContractName(contract)) + " to the test, fewer than " +
-         std::to_string(kFewestTies);
+  return "thin: " + std::to_string(ties) + " samples on an edge test the contract " +
+         std::string(ContractName(contract)) + ", fewer than " + std::to_string(kFewestTies);
 }
 
 }  // namespace

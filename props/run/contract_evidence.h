@@ -23,7 +23,7 @@ struct ContractEvidence {
   /// Else: a sentence that says what prevents it, by the profile's key where it is one.
   std::string why;
   /// Where it is exercised by fewer than kFewestTies samples on edges, and the contract is one that
-  /// says who owns them: a sentence with the number. Empty for given cases: nobody counts theirs.
+  /// says who owns them: a sentence with the number. Empty for given cases, which are not counted.
   std::string thin = {};
 };
 

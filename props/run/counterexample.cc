@@ -125,7 +125,7 @@ class Shrinking {
                    : times + " smaller cases were too slow to judge";
     }
     const bool is_late = budget_.IsUp() || budget_.Since(began_) >= options_.shrink_seconds;
-    return is_late ? "the time was up" : "";
+    return is_late ? "it ran out of time" : "";
   }
 
   bool Fails(const Case& candidate) {
@@ -213,7 +213,7 @@ Counterexample RunOnceMore(Subject& subject, const Property& property, const Cas
   if (again.outcome == Outcome::kViolated) return Violated(failing, again);
   Counterexample once = Violated(failing, seen);
   if (again.outcome == Outcome::kInconclusive) {
-    once.message += "; run once more it could not be judged: " + again.message;
+    once.message += "; a second run could not be judged: " + again.message;
     return once;
   }
   if (!property.is_about_sequence) return NotDeterministic(failing, seen, again);
@@ -244,9 +244,9 @@ Counterexample Investigate(Subject& subject, const Property& property, const Fai
   }
   found.evaluations = shrinking.evaluations();
   if (shrinking.Hung() && shrinking.hangs() > 0) {
-    found.message += "; smaller cases without an answer in a short time were taken to hang";
+    found.message += "; smaller cases that did not answer soon counted as hangs";
   }
-  if (!shrinking.Cut().empty()) found.message += "; not shrunk any further: " + shrinking.Cut();
+  if (!shrinking.Cut().empty()) found.message += "; shrinking stopped: " + shrinking.Cut();
   return found;
 }
 

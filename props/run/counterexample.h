@@ -23,7 +23,7 @@ inline constexpr int kMostHangs = 8;
 /// The time limits (Pace) that they may take in all while a case that hung is shrunk.
 inline constexpr double kMostHangLimits = 2;
 
-/// What a failing case comes to when it is run once more, alone.
+/// Runs a failing case once more, alone.
 ///
 /// Returns:    violated with what is said then. If it does not fail again: inconclusive with both
 ///             answers; violated all the same for properties about sequences of calls, which say

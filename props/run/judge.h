@@ -49,9 +49,8 @@ auto WorkedOut(const std::string& place, const Work& work) {
     throw;
   } catch (const std::bad_alloc&) {
     throw JudgingFault(place +
-                       "rasterproof's own memory ran out (no option limits it: 'ulimit -v', "
-                       "a container, or the machine); leave out --exhaustive large-target, "
-                       "or run with fewer --jobs");
+                       "rasterproof itself ran out of memory (limited by 'ulimit -v', a container "
+                       "or the machine); leave out --exhaustive large-target, or lower --jobs");
   } catch (const std::exception& error) {
     throw JudgingFault(place + error.what());
   }
@@ -87,7 +86,7 @@ class CaseJudge {
   const Trial& Result() const { return *trial_; }
 
   /// Writes into the verdict which triangle causes the violation. This draws with the subject
-  /// again.
+  /// again what was not seen yet.
   ///
   /// Domain:     done.
   void Blame(Subject& subject);
@@ -99,6 +98,9 @@ class CaseJudge {
  private:
   void Conclude(Trial trial);
   std::shared_ptr<const DrawnScene> DrawnBy(const Check& check, std::size_t k) const;
+  bool CanBeShown(const DrawQuestion& question, const CoverageCounts& counts) const;
+  bool IsOfTheCase(const DrawJob& job) const;
+  std::shared_ptr<const Drawing> SeenOfTheCase() const;
   void CountDraws(const Check& check);
   void StopBy(const Answers& answers);
 

@@ -12,7 +12,7 @@
 namespace rasterproof::props {
 namespace {
 
-// Behind these outcomes no case of the batch counts.
+// Cases after one of these outcomes are discarded.
 bool EndsTheBatch(Outcome outcome) {
   return outcome == Outcome::kViolated || outcome == Outcome::kInconclusive;
 }

@@ -70,7 +70,7 @@ std::optional<std::string> WhyNotAsked(Shows output, Space space,
     applies = applies || (IsOf(property->gate, space) && result.outcome != Outcome::kNotApplicable);
   }
   if (!is_judged) return "no property judges them";
-  return applies ? "no case put them to the test" : "no property about them applies";
+  return applies ? "no case exercised them" : "no property about them applies";
 }
 
 std::string_view WordsOf(Space space) {

@@ -28,7 +28,7 @@ Case DrawWorldCase(const SubjectInfo& info, const World& world, const CaseName& 
   }
   const std::string why = WhyNotGiven(world, info);
   if (!why.empty()) {
-    throw InputError(place, "subject " + info.name + " can't be given it: " + why,
+    throw InputError(place, "subject " + info.name + " can't take it: " + why,
                      "choose another subject");
   }
   Case c = CaseOfWorld(world, name.index, info);
@@ -59,7 +59,7 @@ std::string LeftOutDomains(const SubjectInfo& info, const Property& property) {
     // What the profile does not state is no scene that the subject could not take.
     if (domain->is_stated != nullptr && !domain->is_stated(info.profile)) continue;
     left_out +=
-        left_out.empty() ? "domains not drawn, for the subject takes no such scenes: " : ", ";
+        left_out.empty() ? "domains skipped, since the subject takes no such scenes: " : ", ";
     left_out += name;
   }
   return left_out;

@@ -25,8 +25,7 @@ std::vector<const Domain*> DomainsFor(const SubjectInfo& info, const Property& p
 std::string LeftOutDomains(const SubjectInfo& info, const Property& property);
 
 /// The first index of the property's cases in every domain: states that draw from one domain see
-/// different cases, so that one rare scene among the first of a domain is not all that they see or
-/// miss together.
+/// different cases, so that properties do not all meet, or all miss, the same rare scene.
 ///
 /// Returns:    a multiple of 1000 below 10^7, by the property's name alone.
 std::uint64_t FirstIndex(std::string_view property);

@@ -15,7 +15,7 @@ namespace rasterproof::props {
 struct KnownFailures {
   /// Whether the candidate fails; nothing if it is not known. Called once for each candidate.
   std::function<std::optional<bool>(const Case&)> fails;
-  /// Takes a candidate of which nothing is known. Returns whether there is room for more.
+  /// Takes a candidate without a verdict. Returns whether there is room for more.
   std::function<bool(const Case&)> want;
 };
 

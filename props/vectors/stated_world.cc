@@ -49,7 +49,7 @@ StatedWorld ParseStatedWorld(const std::string& text) {
     const int all = world.integer_bits + world.fraction_bits + (world.has_sign ? 1 : 0);
     if (are_bits && all <= kMostWorldBits) return world;
   }
-  throw InputError("--world " + Quoted(text, 40), "it is no world",
+  throw InputError("--world " + Quoted(text, 40), "it is not a world",
                    "give the bits of a coordinate before and after the point, as 3.2 or, with a "
                    "sign, s3.2: 1 to 6 and 0 to 8, at most 10 with the sign");
 }

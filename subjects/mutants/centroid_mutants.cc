@@ -151,7 +151,7 @@ Point2 FirstCoveredOfAnotherPattern(const CentroidQuestion& q) {
 std::vector<Mutant> CentroidMutants() {
   return {
       {"centroid-centre-always", "centroid is the pixel's centre, covered in part or not", "",
-       Evaluating("d3d11-4x", Centre), "shown-values"},
+       Evaluating("d3d11-4x", Centre), "shown-values", "CentroidsLieWhereStated"},
       {"centroid-last-covered", "centroid is the covered sample of the largest index", "",
        Evaluating("d3d11-4x", LastCovered), "shown-values"},
       {"centroid-first-of-pattern", "centroid is the first sample, covered or not", "",
@@ -182,11 +182,13 @@ std::vector<Mutant> CentroidMutants() {
       {"centroid-subpixel-outside", "centroid lies a 256th of a pixel beyond the triangle's edge",
        "", EvaluatingSnapped(Centroid::kInside, SubpixelBeyondTheEdge), "shown-values"},
       {"vulkan-fragments-sum-off", "a barycentric at a snapped triangle's sample is off by 2^-10",
-       "", ShowingSnapped([](ShownFragment& f) { f.barycentrics[2] += 0x1p-10; }), "shown-values"},
+       "", ShowingSnapped([](ShownFragment& f) { f.barycentrics[2] += 0x1p-10; }), "shown-values",
+       "FragmentBarycentricsSumToOne"},
       {"vulkan-depth-off", "a depth of a snapped triangle is off by a quarter", "",
-       ShowingSnapped([](ShownFragment& f) { f.depth *= 1.25; }), "shown-values"},
+       ShowingSnapped([](ShownFragment& f) { f.depth *= 1.25; }), "shown-values",
+       "FragmentDepthStaysInTheHull|FragmentDepthFollowsItsBarycentrics"},
       {"centroid-beside-the-only-sample", "centroid of one sample is not the centre", "",
-       Evaluating("gl", MiddleOfTheCommonPart), "shown-values"},
+       Evaluating("gl", MiddleOfTheCommonPart), "shown-values", "CentroidsLieWhereStated"},
   };
 }
 

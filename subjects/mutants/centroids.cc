@@ -17,15 +17,7 @@ namespace rasterproof::subjects::mutants {
 namespace {
 
 using Barycentric3 = std::array<double, 3>;
-
-double EdgeOf(Point2 a, Point2 b, Point2 p) {
-  return (p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x);
-}
-
-Barycentric3 BarycentricsAt(const std::array<Point2, 3>& v, Point2 p) {
-  const double area = EdgeOf(v[0], v[1], v[2]);
-  return {EdgeOf(v[1], v[2], p) / area, EdgeOf(v[2], v[0], p) / area, EdgeOf(v[0], v[1], p) / area};
-}
+using variants::BarycentricsAt;
 
 class Centroids final : public Subject {
  public:
@@ -158,14 +150,14 @@ Point2 CentroidOfDirect3D(const CentroidQuestion& q) {
 std::vector<Point2> CommonPolygon(const CentroidQuestion& q) {
   const Point2 high{q.low.x + 1, q.low.y + 1};
   std::vector<Point2> polygon{q.low, {high.x, q.low.y}, high, {q.low.x, high.y}};
-  const double facing = EdgeOf(q.v[0], q.v[1], q.v[2]) < 0 ? -1 : 1;
+  const double facing = variants::RoundedEdgeValue(q.v[0], q.v[1], q.v[2]) < 0 ? -1 : 1;
   for (std::size_t i = 0; i < 3; ++i) {
     std::vector<Point2> rest;
     for (std::size_t k = 0; k < polygon.size(); ++k) {
       const Point2 a = polygon[k];
       const Point2 b = polygon[(k + 1) % polygon.size()];
-      const double at_a = facing * EdgeOf(q.v[i], q.v[(i + 1) % 3], a);
-      const double at_b = facing * EdgeOf(q.v[i], q.v[(i + 1) % 3], b);
+      const double at_a = facing * variants::RoundedEdgeValue(q.v[i], q.v[(i + 1) % 3], a);
+      const double at_b = facing * variants::RoundedEdgeValue(q.v[i], q.v[(i + 1) % 3], b);
       if (at_a >= 0) rest.push_back(a);
       if ((at_a < 0) == (at_b < 0)) continue;
       const double part = at_a / (at_a - at_b);

@@ -1,4 +1,5 @@
 // The sound base of rasterizers that show where they evaluate attributes at a fragment's centroid.
+// No stage says it: a centroid is of all samples of a pixel, and stages see one at a time.
 #ifndef RASTERPROOF_SUBJECTS_MUTANTS_CENTROIDS_H_
 #define RASTERPROOF_SUBJECTS_MUTANTS_CENTROIDS_H_
 

@@ -1,4 +1,5 @@
-// A rasterizer that clips triangles, snaps the vertices which that makes, and draws the polygon.
+// A rasterizer that clips triangles, snaps the vertices which that makes, and draws the polygon. No
+// stage says it: a sample counts by the signs of several triangles together.
 #ifndef RASTERPROOF_SUBJECTS_MUTANTS_CLIPPING_H_
 #define RASTERPROOF_SUBJECTS_MUTANTS_CLIPPING_H_
 

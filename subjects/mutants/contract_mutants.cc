@@ -186,9 +186,9 @@ FixedStages OwningTies(Contract contract, bool owns) {
 std::vector<Mutant> Sides() {
   return {
       {"at-least-model-ties-lost", "at-least-model, and no edge owns its samples", "",
-       OwningTies(Contract::kAtLeastModel, false), "tie-rule"},
+       OwningTies(Contract::kAtLeastModel, false), "tie-rule", "CoverageKeepsToItsSideOfTheModel"},
       {"at-most-model-ties-twice", "at-most-model, and every edge owns its samples", "",
-       OwningTies(Contract::kAtMostModel, true), "tie-rule"},
+       OwningTies(Contract::kAtMostModel, true), "tie-rule", "CoverageKeepsToItsSideOfTheModel"},
   };
 }
 

@@ -194,13 +194,14 @@ std::vector<Mutant> FacingVariants() {
 std::vector<Mutant> FacingMutants() {
   return {
       {"facing-of-input", "facing is the sign of the area before the snap", "",
-       FacingBeforeTheSnap({}), "facing|facing-arithmetic"},
+       FacingBeforeTheSnap({}), "facing|facing-arithmetic",
+       "CoverageEqualsTheModel|FacingIsOneAtAllSamples|SignedCoverageEqualsTheWindingNumber"},
       {"culls-of-input", "triangles are culled by the area before the snap",
-       "D3D11.3 culls after it", CullingBeforeTheSnap({})},
+       "D3D11.3 culls after it", CullingBeforeTheSnap({}), "", "CullingRemovesOneFacing"},
       {"d3d11-facing-of-input", "facing is the sign of the area before the snap", "",
-       FacingBeforeTheSnap(StagesOfPreset("d3d11"))},
+       FacingBeforeTheSnap(StagesOfPreset("d3d11")), "", "FacingIsOneAtAllSamples"},
       {"d3d11-culls-of-input", "triangles are culled by the area before the snap", "",
-       CullingBeforeTheSnap(StagesOfPreset("d3d11"))},
+       CullingBeforeTheSnap(StagesOfPreset("d3d11")), "", "CullingRemovesOneFacing"},
       {"vulkan-facing-by-hash", "a hash of its vertices decides which side a triangle shows", "",
        Facing("vulkan", [](GridTriangle& t) { t.front = CoinOf(t); })},
       {"d3d11-facing-by-hash", "a hash of its vertices decides which side a triangle shows", "",

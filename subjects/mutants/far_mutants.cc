@@ -102,8 +102,9 @@ std::vector<Mutant> FarVariants() {
 std::vector<Mutant> FarMutants() {
   return {
       {"vulkan-far-box-of-32-bits", "the box is that of corners cut to 32 bits", "",
-       BoxOf32Bits("vulkan")},
-      {"gl-far-values-of-64-bits", "edge values wrap in 64 bits", "", ValuesOf64Bits("gl")},
+       BoxOf32Bits("vulkan"), "", "SharedEdgeSamplesAreCoveredOnce"},
+      {"gl-far-values-of-64-bits", "edge values wrap in 64 bits", "", ValuesOf64Bits("gl"), "",
+       "SharedEdgeSamplesAreCoveredOnce"},
       {"vulkan-far-ties-otherwise", "triangles that reach 2^24 pixels own all their edges", "",
        TiesOtherwiseFrom(0x1p24)},
       {"gl-far-rounds-otherwise", "vertices of triangles that reach 2^11 pixels are rounded down",

@@ -52,16 +52,28 @@ bool OwnsIfFlat(const GridEdge& edge, const GridTriangle& triangle, const Sample
   return edge.owns || GridEdge{triangle.v[0], triangle.v[1]}.At(triangle.v[2]) == 0;
 }
 
-std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
-                                        const FixedStages& stages) {
+SubjectInfo FixedPointInfo(const std::string& name, const std::string& summary,
+                           const Profile& profile) {
   SubjectInfo info;
   info.name = name;
   info.summary = summary;
-  info.profile = stages.profile;
+  info.profile = profile;
   info.takes_threads = true;
+  return info;
+}
+
+std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
+                                        const FixedStages& stages) {
+  SubjectInfo info = FixedPointInfo(name, summary, stages.profile);
+  info.takes_tiles = info.takes_threads = stages.has_workers;
+  return MakeFixedPoint(info, stages);
+}
+
+std::unique_ptr<Subject> MakeFixedPoint(const SubjectInfo& info, const FixedStages& stages) {
   return variants::MakeVariant<GridPoint>(info, stages,
                                           {.lattice = {GridBits(stages)},
                                            .tile = 8,
+                                           .has_twin = stages.has_workers,
                                            .on_target = ModelOn,
                                            .wrap = Wrapped,
                                            .snap = SnapToGrid,

@@ -7,6 +7,7 @@
 
 #include "core/profile.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "variants/points.h"
 #include "variants/stages.h"
 
@@ -29,6 +30,8 @@ struct FixedStages : GridStages {
   /// What the subject states, and what the sound stages do.
   Profile profile = FixedPointProfile();
   int bits = 8;  ///< of the grid that holds vertices and samples, if the profile's are fewer
+  /// Whether it takes tiles and threads, unless it states its own info; if not, it has no twin.
+  bool has_workers = true;
 };
 
 /// Whether a sample exactly on the edge is inside: on those of flat triangles all are.
@@ -41,6 +44,12 @@ bool OwnsIfFlat(const GridEdge& edge, const GridTriangle& triangle, const Sample
 ///             bits, which is all of them while 2 limit 2^bits <= 2^30.
 std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
                                         const FixedStages& stages);
+
+/// What such a subject states.
+SubjectInfo FixedPointInfo(const std::string& name, const std::string& summary,
+                           const Profile& profile);
+/// The same, under other statements.
+std::unique_ptr<Subject> MakeFixedPoint(const SubjectInfo& info, const FixedStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -116,12 +116,14 @@ std::vector<Mutant> OfOtherCorners() {
   return {
       {"fragments-of-given",
        "barycentrics are of the corners as given, where the snapped are meant", "",
-       Showing(kSnapped, [](ShownFragment& f) { TakeOf(f, f.given); }), "shown-values"},
+       Showing(kSnapped, [](ShownFragment& f) { TakeOf(f, f.given); }), "shown-values",
+       "FragmentBarycentricsStayWithinTheirError"},
       {"fragments-of-snapped", "barycentrics are of the snapped corners, where the given are meant",
-       "", Showing(kGiven, [](ShownFragment& f) { TakeOf(f, f.placed); }), "shown-values"},
+       "", Showing(kGiven, [](ShownFragment& f) { TakeOf(f, f.placed); }), "shown-values",
+       "FragmentBarycentricsStayWithinTheirError"},
       {"fragments-of-neither", "barycentrics are of corners half way to the grid", "",
        Showing(kEither, [](ShownFragment& f) { TakeOf(f, Middles(f.given, f.placed)); }),
-       "shown-values"},
+       "shown-values", "FragmentBarycentricsStayWithinTheirError"},
       {"fragments-small-areas", "areas below a 64th of a pixel are taken for that", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
@@ -129,7 +131,7 @@ std::vector<Mutant> OfOtherCorners() {
                  const double least = 2.0 / 64;
                  if (std::fabs(area) < least) TakeOver(f, f.placed, std::copysign(least, area));
                }),
-       "shown-values"},
+       "shown-values", "FragmentBarycentricsSumToOne"},
       {"fragments-late-vertices-deep", "vertices from the 33rd on lie 2^-8 too deep", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
@@ -137,7 +139,7 @@ std::vector<Mutant> OfOtherCorners() {
                    if (f.indices[i] >= 32) f.depth += f.barycentrics[i] * 0x1p-8;
                  }
                }),
-       "shown-values"},
+       "shown-values", "FragmentDepthFollowsItsBarycentrics"},
   };
 }
 
@@ -148,19 +150,19 @@ std::vector<Mutant> AskedAlone() {
                [](ShownFragment& f) {
                  if (IsDepthAlone(f)) f.depth = f.z[0];
                }),
-       "shown-values"},
+       "shown-values", "FragmentDepthFollowsItsBarycentrics"},
       {"fragments-depth-alone-of-given", "depth asked for alone is of the corners as given", "",
        Showing(kSnapped,
                [](ShownFragment& f) {
                  if (IsDepthAlone(f)) TakeOf(f, f.given);
                }),
-       "shown-values"},
+       "shown-values", "FragmentDepthFollowsItsBarycentrics"},
       {"vulkan-fragments-depth-alone-off", "depth asked for alone is off by a quarter", "",
        Under("vulkan", kSnapped,
              [](ShownFragment& f) {
                if (IsDepthAlone(f)) f.depth *= 1.25;
              }),
-       "shown-values"},
+       "shown-values", "FragmentDepthStaysInTheHull"},
       {"fragments-barycentrics-alone-rotated",
        "barycentrics asked for alone belong to the next vertex", "",
        Showing(kSnapped,
@@ -168,7 +170,7 @@ std::vector<Mutant> AskedAlone() {
                  const std::array<double, 3> l = f.barycentrics;
                  if (IsBarycentricsAlone(f)) f.barycentrics = {l[1], l[2], l[0]};
                }),
-       "shown-values"},
+       "shown-values", "FragmentBarycentricsStayWithinTheirError"},
   };
 }
 

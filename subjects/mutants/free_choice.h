@@ -46,7 +46,7 @@ struct FreeStages {
 
 /// Domain:     float32 scenes in window space, or in clip space in front of the eye.
 std::unique_ptr<Subject> MakeFreeChoice(const std::string& name, const std::string& summary,
-                                        FreeStages stages);
+                                        const FreeStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -181,19 +181,21 @@ std::vector<Mutant> FreeMutants() {
   };
   return {
       {"free-two-places", "a vertex of odd triangles takes another legal grid point", "",
-       std::move(two_places)},
+       std::move(two_places), "", "OneLegalModelExplainsTheMesh"},
       {"free-too-far", "a grid point is taken that is 0.7 of a step off, where 0.6 is legal", "",
        std::move(too_far)},
-      {"free-rules-mixed", "odd triangles have another consistent tie rule", "", std::move(rules)},
+      {"free-rules-mixed", "odd triangles have another consistent tie rule", "", std::move(rules),
+       "", "OneLegalModelExplainsTheMesh"},
       {"free-turned-crack", "triangles that its choice turns take other legal grid points", "",
        std::move(crack)},
       {"private-two-places", "a vertex of odd triangles is a step of its own grid off", "",
        std::move(apart)},
       {"private-pixels-apart", "a vertex of odd triangles is a pixel off", "",
        std::move(pixels_apart)},
-      {"ids-of-a-byte", "primitive ids keep 8 bits", "", std::move(byte)},
+      {"ids-of-a-byte", "primitive ids keep 8 bits", "", std::move(byte), "",
+       "PrimitiveIdFollowsTheStatedOrder"},
       {"ids-from-the-end", "primitive ids count from the end of the list", "",
-       std::move(from_the_end)},
+       std::move(from_the_end), "", "OneCallDrawsLikeItsTriangles"},
   };
 }
 

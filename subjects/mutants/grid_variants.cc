@@ -61,8 +61,8 @@ std::vector<Mutant> GridVariants() {
 std::vector<Mutant> GridMutants() {
   return {
       {"vulkan-grid-by-list", "one triangle has eight subpixel bits, those of a list have four", "",
-       WithBitsBy("vulkan",
-                  [](const Scene& scene) { return scene.triangles.size() == 1 ? 8 : 4; })},
+       WithBitsBy("vulkan", [](const Scene& scene) { return scene.triangles.size() == 1 ? 8 : 4; }),
+       "", "OneGridExplainsEveryCall"},
       {"gl-grid-by-list", "one triangle has eight subpixel bits, those of a list have four", "",
        WithBitsBy("gl", [](const Scene& scene) { return scene.triangles.size() == 1 ? 8 : 4; })},
       {"vulkan-grid-by-crowd", "calls of more than 32 triangles have five subpixel bits", "",

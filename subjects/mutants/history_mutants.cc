@@ -88,19 +88,22 @@ std::vector<Mutant> HistoryVariants() {
 std::vector<Mutant> HistoryMutants() {
   return {
       {"vulkan-trace-of-non-finite", "the scene after one that is not finite loses a triangle", "",
-       LosingTheFirstAfter("vulkan", [](const Scene& s) { return !IsAllFinite(s); })},
+       LosingTheFirstAfter("vulkan", [](const Scene& s) { return !IsAllFinite(s); }), "",
+       "PredecessorsKeepCoverage"},
       {"gl-trace-of-refusal", "the scene after one that was refused loses a triangle", "",
-       Refusing("gl", true)},
+       Refusing("gl", true), "", "PredecessorsKeepCoverage"},
       {"vulkan-trace-of-flat", "the scene after one with a flat triangle loses a triangle", "",
-       LosingTheFirstAfter("vulkan", HasFlatTriangle)},
+       LosingTheFirstAfter("vulkan", HasFlatTriangle), "", "PredecessorsKeepCoverage"},
       {"d3d11-trace-of-far", "the scene after one with coordinates over 2^30 loses a triangle", "",
-       LosingTheFirstAfter("d3d11", LiesFarOff)},
+       LosingTheFirstAfter("d3d11", LiesFarOff), "", "PredecessorsKeepCoverage"},
       {"gl-trace-of-many", "the scene after one of 100 triangles loses a triangle", "",
-       LosingTheFirstAfter("gl", [](const Scene& s) { return s.triangles.size() >= kMany; })},
+       LosingTheFirstAfter("gl", [](const Scene& s) { return s.triangles.size() >= kMany; }), "",
+       "PredecessorsKeepCoverage"},
       {"vulkan-kept-by-first", "images are found again by size, indices and the first triangle", "",
-       KeepingByTheFirst("vulkan"), "earlier-draws"},
+       KeepingByTheFirst("vulkan"), "earlier-draws",
+       "NewVerticesGiveNewCoverage|EarlierScenesLeaveNoTrace"},
       {"gl-kept-by-first", "images are found again by size, indices and the first triangle", "",
-       KeepingByTheFirst("gl"), "earlier-draws"},
+       KeepingByTheFirst("gl"), "earlier-draws", "NewVerticesGiveNewCoverage"},
   };
 }
 

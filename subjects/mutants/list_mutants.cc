@@ -70,28 +70,31 @@ FixedStages FindingVerticesBy(std::string_view preset, int bits, bool by_x) {
 std::vector<Mutant> ListMutants() {
   return {
       {"list-ids-of-16-bits", "primitive ids keep 16 bits", "",
-       ShowsIdsBy([](std::size_t number) { return CutTo(number, kListBits); }), "list"},
+       ShowsIdsBy([](std::size_t number) { return CutTo(number, kListBits); }), "list",
+       "LongListDrawsLikeItsEnd"},
       {"list-ids-in-a-float", "primitive ids are kept in a float of 16 significant bits", "",
-       ShowsIdsBy([](std::size_t number) { return InAFloat(number, kListBits); }), "list"},
+       ShowsIdsBy([](std::size_t number) { return InAFloat(number, kListBits); }), "list",
+       "LongListDrawsLikeItsEnd"},
       {"list-ids-in-a-colour", "primitive ids and none share the 16 bits of a colour, 5, 6 and 5",
-       "", ShowsIdsBy([](std::size_t number) { return CutTo(number + 1, kListBits) - 1; }), "list"},
+       "", ShowsIdsBy([](std::size_t number) { return CutTo(number + 1, kListBits) - 1; }), "list",
+       "LongListDrawsLikeItsEnd"},
       {"list-ids-by-batches", "of 1000 triangles a batch, the number of the batch keeps 6 bits", "",
        ShowsIdsBy([](std::size_t number) {
          return CutTo(number / kInAListBatch, 6) * kInAListBatch + number % kInAListBatch;
        }),
-       "list"},
+       "list", "LongListDrawsLikeItsEnd"},
       {"list-count-of-16-bits", "the number of triangles of a call keeps 16 bits", "",
        FixedStages{{.drops =
                         [](const Scene& scene, std::size_t number) {
                           return number >= CutTo(scene.triangles.size(), kListBits);
                         }}},
-       "list"},
+       "list", "LongListDrawsLikeItsEnd"},
       {"list-offsets-of-19-bits", "byte offsets of indices keep 19 bits", "", IndicesByOffsets(19),
-       "list"},
+       "list", "LongListDrawsLikeItsEnd"},
       {"vulkan-vertices-by-16-bits", "vertices are found again by 16 bits of their index", "",
-       FindingVerticesBy("vulkan", 16, false)},
+       FindingVerticesBy("vulkan", 16, false), "", "OneLegalModelExplainsTheMesh"},
       {"gl-vertices-by-8-bits-and-x", "vertices are found again by 8 bits of their index and x", "",
-       FindingVerticesBy("gl", 8, true)},
+       FindingVerticesBy("gl", 8, true), "", "OneLegalModelExplainsTheMesh"},
   };
 }
 

@@ -73,7 +73,8 @@ double OriginBySum(double origin, double step, int pixels) {
 std::vector<Mutant> MapMutants() {
   return {
       {"map-tile-origin", "a tile places vertices from its own origin, x0 + i dx, rounded", "",
-       FromItsOwnOrigin(kTenths, ByQuotient, OriginByProduct), "scissor"},
+       FromItsOwnOrigin(kTenths, ByQuotient, OriginByProduct), "scissor",
+       "TilesDrawnApartEqualTheWhole"},
       {"map-tile-origin-reciprocal", "the same, times 1 / dx, of a third of a metre", "",
        FromItsOwnOrigin(kThirds, ByReciprocal, OriginByProduct), "scissor"},
       {"map-tile-origin-summed", "a tile's origin is dx added up pixel by pixel", "",

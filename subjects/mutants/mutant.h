@@ -13,7 +13,6 @@
 #include "subjects/mutants/free_choice.h"
 #include "subjects/mutants/own_transform.h"
 #include "subjects/mutants/real_geometry.h"
-#include "subjects/mutants/scanline.h"
 #include "subjects/mutants/shown_values.h"
 #include "subjects/mutants/squares.h"
 
@@ -24,10 +23,11 @@ struct Mutant {
   std::string_view name;
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
-  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, ScanlineStages,
-               FreeStages, SquareStages, CentroidStages, ClippingStages>
+  std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, FreeStages,
+               SquareStages, CentroidStages, ClippingStages>
       stages;
-  std::string_view causes = {};  ///< as MutantInfo::causes
+  std::string_view causes = {};   ///< as MutantInfo::causes
+  std::string_view killers = {};  ///< properties that each find it, with "|" between them
   /// Whether it is drawn in other floating-point modes, where only its bug shows.
   bool takes_float_modes = false;
 };

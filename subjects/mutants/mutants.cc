@@ -19,6 +19,16 @@ struct Row {
   Mutant planted;
 };
 
+std::vector<std::string> Parts(std::string_view words) {
+  std::vector<std::string> parts;
+  while (!words.empty()) {
+    const std::size_t end = std::min(words.find('|'), words.size());
+    parts.emplace_back(words.substr(0, end));
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return parts;
+}
+
 std::vector<Row> MakeRows() {
   std::vector<Row> rows;
   const auto add = [&](std::vector<Mutant> table, std::string_view prefix, bool legal, bool late) {
@@ -28,7 +38,8 @@ std::vector<Row> MakeRows() {
                       std::string(planted.source),
                       std::string(planted.causes),
                       legal,
-                      late};
+                      late,
+                      Parts(planted.killers)};
       rows.push_back({std::move(info), std::move(planted)});
     }
   };
@@ -70,9 +81,6 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::TransformStages& stages) const {
     return mutants::MakeOwnTransform(info.name, info.change, stages);
-  }
-  std::unique_ptr<Subject> operator()(const mutants::ScanlineStages& stages) const {
-    return mutants::MakeScanline(info.name, info.change, stages);
   }
   std::unique_ptr<Subject> operator()(const mutants::FreeStages& stages) const {
     return mutants::MakeFreeChoice(info.name, info.change, stages);

@@ -22,6 +22,8 @@ struct MutantInfo {
   std::string causes;
   bool legal = false;    ///< must pass, under its own profile
   bool is_late = false;  ///< written after the generators and the properties were frozen
+  /// Properties that must find it, each by itself. Empty: that any does is enough.
+  std::vector<std::string> killers = {};
 };
 
 /// Every mutant, the late ones last, and then every legal variant.

@@ -38,7 +38,7 @@ inline constexpr double kDepthError = 0x1p-44;
 /// front of the eye has no place: its triangles are not drawn. After a map the rasterizer takes
 /// float64.
 std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::string& summary,
-                                          TransformStages stages);
+                                          const TransformStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -27,7 +27,7 @@ std::vector<Mutant> Samples() {
   };
   return {
       {"sample-1-right", "samples lie 1/256 pixel too far right", "", SamplesOff(1, 0),
-       "sample-location"},
+       "sample-location", "CoverageEqualsTheModel"},
       {"sample-1-up", "samples lie 1/256 pixel too far up", "", SamplesOff(0, -1),
        "sample-location"},
       {"sample-3-down", "samples lie 3/256 pixel too far down",
@@ -48,7 +48,7 @@ std::vector<Mutant> Samples() {
          if (at.s == 2) return GridPoint{at.at.x + 192, at.at.y - 64};
          return at.at;
        }),
-       "sample-order"},
+       "sample-order", "CoverageEqualsTheModel"},
       {"samples-mirrored", "the four sample locations are mirrored", "",
        four_samples([](const Sample& at) {
          constexpr std::int64_t kOffset[] = {32, 96, 160, 224};

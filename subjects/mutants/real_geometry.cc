@@ -28,15 +28,16 @@ CoverageCounts DrawnInClipSpace(const Scene& scene, const Profile& profile,
   return counts;
 }
 
-SubjectInfo InfoOf(const std::string& name, const std::string& summary, const Profile& profile) {
+}  // namespace
+
+SubjectInfo RealGeometryInfo(const std::string& name, const std::string& summary,
+                             const Profile& profile) {
   SubjectInfo info;
   info.name = name;
   info.summary = summary;
   info.profile = profile;
   return info;
 }
-
-}  // namespace
 
 RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p)) {
   return {{.area = [sign](const Points& v) { return sign(v[0], v[1], v[2]); },
@@ -46,13 +47,16 @@ RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p)) {
 
 std::unique_ptr<Subject> MakeRealGeometry(const std::string& name, const std::string& summary,
                                           const RealStages& stages) {
-  return variants::MakeVariant<Point2>(InfoOf(name, summary, stages.profile), stages,
-                                       kRealGeometry);
+  return MakeRealGeometry(RealGeometryInfo(name, summary, stages.profile), stages);
+}
+
+std::unique_ptr<Subject> MakeRealGeometry(const SubjectInfo& info, const RealStages& stages) {
+  return variants::MakeVariant<Point2>(info, stages, kRealGeometry);
 }
 
 std::unique_ptr<Subject> MakeClipSpace(const std::string& name, const std::string& summary,
                                        const ClipStages& stages) {
-  SubjectInfo info = InfoOf(name, summary, stages.profile);
+  SubjectInfo info = RealGeometryInfo(name, summary, stages.profile);
   info.takes_window = false;
   info.takes_clip = true;
   variants::Arithmetic<Point2> homogeneous = kRealGeometry;

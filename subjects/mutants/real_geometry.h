@@ -9,6 +9,7 @@
 
 #include "core/profile.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "core/vertex.h"
 #include "variants/stages.h"
 
@@ -43,6 +44,12 @@ RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p));
 /// Domain:     float32 scenes in window space.
 std::unique_ptr<Subject> MakeRealGeometry(const std::string& name, const std::string& summary,
                                           const RealStages& stages);
+
+/// What such a subject states.
+SubjectInfo RealGeometryInfo(const std::string& name, const std::string& summary,
+                             const Profile& profile);
+/// The same, under other statements.
+std::unique_ptr<Subject> MakeRealGeometry(const SubjectInfo& info, const RealStages& stages);
 
 /// The rasterizer of clip space: nothing is clipped, signs are exact.
 ///

@@ -192,21 +192,21 @@ std::vector<Mutant> RealClips() {
        Becoming([](const ClipTriangle& v) {
          return AnyBehind(v) ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
        }),
-       "clip-space"},
+       "clip-space", "ClipSpaceCoverageEqualsTheModel|ClosedSurfaceAroundTheEyeIsSeenEquallyOften"},
       {"clip-drops-by-first", "a triangle whose first vertex is behind the eye is dropped",
        "nvdiffrast #225", Becoming([](const ClipTriangle& v) {
          return v[0].w <= 0 ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
        }),
-       "clip-space"},
+       "clip-space", "NeighboursAreClippedAlike"},
       {"clip-w-clamped", "w is clamped to 2^-10 from below", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = std::max(p.w, 0x1p-10); })};
        }),
-       "clip-space"},
+       "clip-space", "ScalingClipVerticesKeepsCoverage"},
       {"clip-w-ignored", "vertices are not divided by w", "", Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = 1; })};
        }),
-       "clip-space"},
+       "clip-space", "LiftedTrianglesCoverLikeProjectedOnes"},
       {"clip-w-absolute", "the absolute value of w is taken", "",
        Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = std::fabs(p.w); })};
@@ -241,7 +241,7 @@ std::vector<Mutant> RealClips() {
          });
          return overflows ? std::vector<ClipTriangle>{} : std::vector<ClipTriangle>{v};
        }),
-       "clip-space"},
+       "clip-space", "ClipSpaceCoverageEqualsTheModel"},
       {"clip-zero-w", "w = 0 is taken for 1", "", Becoming([](const ClipTriangle& v) {
          return std::vector<ClipTriangle>{Each(v, [](Vertex& p) { p.w = p.w == 0 ? 1 : p.w; })};
        }),

@@ -123,7 +123,7 @@ std::vector<Mutant> SampleMutants() {
       {"samples-one-reused", "the third of four samples lies where the second does", "",
        Sampling(StagesOf("d3d11-4x"),
                 [](const Sample& at) { return at.s == 2 ? AtStandard(at, 1) : at.at; }),
-       "sample-order"},
+       "sample-order", "OneLegalModelExplainsTheMesh"},
       {"samples-centre-for-all", "coverage is decided in the pixel's centre for all four samples",
        "",
        Sampling(StagesOf("d3d11-4x"),
@@ -131,7 +131,7 @@ std::vector<Mutant> SampleMutants() {
                   const GridPoint corner = CornerOf(at);
                   return GridPoint{corner.x + kSamplePixel / 2, corner.y + kSamplePixel / 2};
                 }),
-       "sample-order"},
+       "sample-order", "OneLegalModelExplainsTheMesh"},
       {"samples-exchanged-under-vulkan", "the first and the last standard location are exchanged",
        "",
        Sampling(
@@ -139,33 +139,34 @@ std::vector<Mutant> SampleMutants() {
            [](const Sample& at) {
              return AtStandard(at, static_cast<std::size_t>(at.s == 0 ? 3 : at.s == 3 ? 0 : at.s));
            }),
-       "sample-order"},
+       "sample-order", "OneLegalModelExplainsTheMesh"},
       {"samples-vary", "stated locations are mirrored in every other column", "",
-       Sampling(StagesOf("d3d11-4x"), MirroredInOddColumns)},
+       Sampling(StagesOf("d3d11-4x"), MirroredInOddColumns), "", "OneLegalModelExplainsTheMesh"},
       {"samples-vary-where-fixed",
        "locations that are said to be fixed are mirrored in every other column", "",
-       Sampling(Unstated(SamplePositions::kFixed), MirroredInOddColumns)},
+       Sampling(Unstated(SamplePositions::kFixed), MirroredInOddColumns), "",
+       "IntegerTranslationMovesCoverage|SamplesLieInTheirPixel"},
       {"samples-by-triangle", "a sample lies elsewhere for every other triangle", "",
-       SamplingByTriangle(StagesOf("vulkan-4x")), "list"},
+       SamplingByTriangle(StagesOf("vulkan-4x")), "list", "SharedEdgeSamplesAreCoveredOnce"},
       {"facing-by-sample", "the last of four samples sees the other facing", "",
-       TurningTheLastSample(StagesOf("d3d11-4x"))},
+       TurningTheLastSample(StagesOf("d3d11-4x")), "", "FacingIsOneAtAllSamples"},
       {"facing-by-sample-where-open",
        "the last of four samples, wherever it lies, sees the other "
        "facing",
-       "", TurningTheLastSample(StagesOf("vulkan-4x"))},
+       "", TurningTheLastSample(StagesOf("vulkan-4x")), "", "FacingIsOneAtAllSamples"},
       {"samples-outside-where-open", "all four samples lie 1.5 pixels beside their pixel's places",
        "",
        Sampling(
            StagesOf("vulkan-4x"),
            [](const Sample& at) { return GridPoint{at.at.x + 3 * kSamplePixel / 2, at.at.y}; }),
-       "sample-order"},
+       "sample-order", "SamplesLieInTheirPixel"},
       {"samples-one-outside-where-open", "one of four samples lies a pixel further", "",
        Sampling(StagesOf("vulkan-4x"),
                 [](const Sample& at) { return at.s == 2 ? APixelRight(at) : at.at; }),
-       "sample-order"},
+       "sample-order", "SamplesLieInTheirPixel"},
       {"small-triangles-lost-where-open",
        "triangles smaller than a quarter of a pixel vanish, wherever samples lie", "",
-       LosingSmallTriangles(StagesOf("vulkan-4x")), "lost-triangles"},
+       LosingSmallTriangles(StagesOf("vulkan-4x")), "lost-triangles", "SamplesLieInTheirPixel"},
   };
 }
 

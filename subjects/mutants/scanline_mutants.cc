@@ -1,4 +1,5 @@
 // Bugs in where edges cross rows, and crossings that are rounded as stated.
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -7,7 +8,43 @@
 namespace rasterproof::subjects::mutants {
 namespace {
 
+// Where an edge crosses a row, in 1/256 pixel; its upper end is `a`.
+using Crossing = std::int64_t (*)(GridPoint a, GridPoint b, std::int64_t y);
+
+// From one crossing up to the other.
+bool IsInTheRow(Crossing crossing, const Sample& s, std::array<GridPoint, 3> v) {
+  std::ranges::sort(v, {}, &GridPoint::y);
+  const std::int64_t y = s.at.y;
+  if (y < v[0].y || y >= v[2].y) return false;
+  const std::int64_t p = crossing(v[0], v[2], y);
+  const std::int64_t q = y < v[1].y ? crossing(v[0], v[1], y) : crossing(v[1], v[2], y);
+  return s.at.x >= std::min(p, q) && s.at.x < std::max(p, q);
+}
+
+// Snaps to 1/256 pixel, and fills each row between its rounded crossings; top-left.
+FixedStages Scanlines(SnapRule stated, Crossing crossing) {
+  FixedStages stages;
+  stages.has_workers = false;
+  stages.profile.name = "rounded crossings";
+  stages.profile.scanline_rounding = {8, stated};
+  stages.box = [](PixelRect& box, const GridTriangle&, const Scene& scene) {
+    box.x0 = 0;
+    box.x1 = scene.width;
+  };
+  stages.value = [](const GridEdge&, const Sample&) { return std::int64_t{1}; };
+  stages.times = [crossing](const Sample& s, const GridTriangle& t) {
+    return IsInTheRow(crossing, s, t.v) ? 1U : 0U;
+  };
+  return stages;
+}
+
 std::int64_t RoundedDown(std::int64_t n, std::int64_t d) { return n / d - (n % d < 0 ? 1 : 0); }
+
+// |dx dy| is below 2^50.
+std::int64_t HalfUp(GridPoint a, GridPoint b, std::int64_t y) {
+  const std::int64_t d = b.y - a.y;
+  return a.x + RoundedDown(2 * (y - a.y) * (b.x - a.x) + d, 2 * d);
+}
 
 std::int64_t Floored(GridPoint a, GridPoint b, std::int64_t y) {
   return a.x + RoundedDown((y - a.y) * (b.x - a.x), b.y - a.y);
@@ -38,24 +75,24 @@ std::int64_t Wrapped(GridPoint a, GridPoint b, std::int64_t y) {
 std::vector<Mutant> ScanlineMutants() {
   return {
       {"scanline-truncated", "crossings left of their upper end are rounded up, not down", "",
-       ScanlineStages{.crossing = Truncated}},
+       Scanlines(SnapRule::kFloor, Truncated)},
       {"scanline-stepped", "a rounded slope is added up row by row", "Qt's image rasterizer",
-       ScanlineStages{.crossing = Stepped}},
+       Scanlines(SnapRule::kFloor, Stepped)},
       {"scanline-above-centre", "crossings are those 1/256 pixel above the samples",
-       "cairo 1.16, mono", ScanlineStages{.crossing = AboveCentre}},
+       "cairo 1.16, mono", Scanlines(SnapRule::kFloor, AboveCentre)},
       {"scanline-32-bits", "the product of the crossing wraps at 32 bits", "pixman 0.42.2",
-       ScanlineStages{.crossing = Wrapped}},
+       Scanlines(SnapRule::kFloor, Wrapped)},
       {"scanline-of-other-rule", "crossings are rounded down where half up is stated", "",
-       ScanlineStages{.stated = SnapRule::kHalfUp, .crossing = Floored}},
+       Scanlines(SnapRule::kHalfUp, Floored)},
   };
 }
 
 std::vector<Mutant> ScanlineVariants() {
   return {
       {"scanline-floor", "where an edge crosses a row is rounded down to 1/256 pixel", "",
-       ScanlineStages{}},
+       Scanlines(SnapRule::kFloor, Floored)},
       {"scanline-half-up", "where an edge crosses a row is rounded to the nearest 1/256 pixel", "",
-       ScanlineStages{.stated = SnapRule::kHalfUp}},
+       Scanlines(SnapRule::kHalfUp, HalfUp)},
   };
 }
 

@@ -113,7 +113,7 @@ std::vector<Mutant> Leaks() {
        "list"},
       {"many-lost", "triangles from 256 on are lost", "",
        FixedStages{{.drops = [](const Scene&, std::size_t number) { return number >= 256; }}},
-       "lost-triangles"},
+       "lost-triangles", "OneCallDrawsLikeItsTriangles"},
       {"many-vertices-lost", "triangles with vertices from 256 on are lost", "",
        FixedStages{{.drops =
                         [](const Scene& scene, std::size_t number) {
@@ -128,7 +128,8 @@ std::vector<Mutant> Leaks() {
                           return std::ranges::any_of(scene.triangles[number], [](std::int32_t i) {
                             return i >= 64 && i % 64 == 1;
                           });
-                        }}}},
+                        }}},
+       "", "DuplicatedVerticesKeepCoverage"},
   };
 }
 
@@ -140,7 +141,7 @@ std::vector<Mutant> Batches() {
                           CoverageCounts& last = outcomes.back().drawing.counts;
                           last = CoverageCounts(last.width, last.height, last.samples);
                         }}},
-       "earlier-draws"},
+       "earlier-draws", "BatchDrawsLikeSingleCalls"},
       {"batch-leaks", "what a scene of a batch covers stays in the next one of its size", "",
        FixedStages{{.batch =
                         [](std::vector<DrawOutcome>& outcomes) {
@@ -150,14 +151,15 @@ std::vector<Mutant> Batches() {
                             if (before.size() == counts.size()) counts += before;
                           }
                         }}},
-       "earlier-draws"},
+       "earlier-draws", "BatchDrawsLikeSingleCalls"},
   };
 }
 
 std::vector<Mutant> BadInput() {
   return {
       {"nan-as-zero", "NaN is taken for zero, and the triangle drawn", "",
-       Taking([](double x) { return std::isnan(x) ? 0.0 : x; }), "not-finite"},
+       Taking([](double x) { return std::isnan(x) ? 0.0 : x; }), "not-finite",
+       "NonFiniteTrianglesCoverNothing"},
       {"nan-by-comparison", "min and max leave NaN out, and the triangle is drawn", "",
        Taking([](double x) { return std::isnan(x) ? 64.0 : x; }), "not-finite"},
       {"infinity-clamped", "infinity is clamped to the limit, and the triangle drawn", "",
@@ -170,7 +172,7 @@ std::vector<Mutant> BadInput() {
                           }
                           return false;
                         }}},
-       "list|not-finite"},
+       "list|not-finite", "BadTrianglesPoisonNoOthers"},
       {"degenerate-line", "a triangle without area is drawn as a line", "",
        FixedStages{{.area =
                         [](const std::array<GridPoint, 3>& v) {
@@ -178,7 +180,7 @@ std::vector<Mutant> BadInput() {
                           return area == 0 ? 1 : area;
                         },
                     .owns = OwnsIfFlat}},
-       "flat-triangles"},
+       "flat-triangles", "DegenerateTrianglesCoverNothing"},
       {"degenerate-repeated-index", "a repeated vertex is drawn as if it were two pixels away", "",
        FixedStages{{.vertices =
                         [](std::array<Vertex, 3>& v) {

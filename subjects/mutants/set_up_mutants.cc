@@ -104,7 +104,7 @@ std::vector<Mutant> FarVertices() {
                           return std::ranges::any_of(Corners(scene, scene.triangles[number]),
                                                      [](const Vertex& v) { return v.x < -1; });
                         }}},
-       "lost-triangles"},
+       "lost-triangles", "IntegerTranslationMovesCoverage|NeighboursAreClippedAlike"},
       {"drop-at-the-limit", "a coordinate at the limit itself counts as beyond it", "",
        FixedStages{{.drops =
                         [](const Scene& scene, std::size_t number) {

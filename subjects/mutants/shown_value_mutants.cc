@@ -25,24 +25,27 @@ std::vector<Mutant> EdgeValues() {
   return {
       {"edge-biased", "edge values are biased towards the inside", "",
        value([](double e, Point2, Point2, Point2) { return e + 0x1p-10 * std::fabs(e); }),
-       "shown-values"},
+       "shown-values", "MirrorNegatesEdgeValues|ReversedEdgeChangesSign"},
       {"edge-from-one-end", "the edge's constant term takes its slope from the wrong end", "",
        value([](double e, Point2 a, Point2 b, Point2) {
          return e + 0x1p-16 * (std::fabs(a.x) - std::fabs(b.x));
        }),
-       "shown-values"},
+       "shown-values",
+       "CyclicRotationKeepsTheArea|EdgeIsZeroAtItsEnds|IntegerTranslationKeepsEdgeValues|"
+       "PowerOfTwoScalingScalesEdgeValues"},
       {"edge-absolute", "edge values have no sign", "",
-       value([](double e, Point2, Point2, Point2) { return std::fabs(e); }), "shown-values"},
+       value([](double e, Point2, Point2, Point2) { return std::fabs(e); }), "shown-values",
+       "EdgeSignIsRightOutsideItsBand"},
       {"edge-half-float", "edge values keep 11 bits", "",
        value([](double e, Point2, Point2, Point2) {
          const double scale = std::ldexp(1.0, std::ilogb(e == 0 ? 1 : e) - 10);
          return std::nearbyint(e / scale) * scale;
        }),
-       "shown-values"},
+       "shown-values", "EdgeErrorStaysWithinItsBound"},
       {"edge-y-up", "edge values are those of y up", "",
        value([](double e, Point2, Point2, Point2) { return -e; }), "shown-values"},
       {"edge-bound-too-small", "the stated bound on edge values is a hundredth of the proven one",
-       "", ValueStages{.edge_bound = 0.01}, "shown-values"},
+       "", ValueStages{.edge_bound = 0.01}, "shown-values", "EdgeErrorStaysWithinItsBound"},
       {"edge-states-exact", "edge values claim to be exact", "", ValueStages{.edge_bound = 0},
        "shown-values"},
   };
@@ -58,25 +61,26 @@ std::vector<Mutant> EdgeSteps() {
          if (!step.along_y) return;
          for (double& value : e) value = 2 * e[0] - value;
        }),
-       "shown-values"},
+       "shown-values", "SteppingStaysWithinItsBound"},
       {"stepping-back-wrong", "stepping back begins one step late", "",
        steps([](std::vector<double>& e, Step step) {
          if (step.sign < 0) std::rotate(e.begin(), e.begin() + 1, e.end());
        }),
-       "shown-values"},
+       "shown-values", "SteppingStaysWithinItsBound"},
       {"stepping-of-16", "a step of 16 pixels is one of 15", "",
        steps([](std::vector<double>& e, Step step) {
          if (step.length != 16) return;
          for (std::size_t n = 1; n < e.size(); ++n) e[n] -= (e[n] - e[0]) / 16;
        }),
-       "shown-values"},
+       "shown-values", "SteppingEqualsDirectWhereExact"},
       {"stepping-loses-after-8192", "from step 8193 on the values are a step behind", "",
        steps([](std::vector<double>& e, Step) {
          for (std::size_t n = e.size() - 1; n > 8192; --n) e[n] = e[n - 1];
        }),
-       "shown-values"},
+       "shown-values", "LongSteppingStaysWithinItsBound"},
       {"stepping-last-lost", "the value after the last step is not shown", "",
-       steps([](std::vector<double>& e, Step) { e.pop_back(); }), "shown-values"},
+       steps([](std::vector<double>& e, Step) { e.pop_back(); }), "shown-values",
+       "SteppingStaysWithinItsBound"},
       {"stepping-bound-too-small", "the stated bound on steps is a hundredth of the proven one", "",
        ValueStages{.method = "f32-incremental", .stepping_bound = 0.01}, "shown-values"},
   };
@@ -91,12 +95,12 @@ std::vector<Mutant> Barycentrics() {
        barycentrics([](Triple& l, BarycentricForm, const Points3&, Point2) {
          std::ranges::rotate(l, l.begin() + 1);
        }),
-       "shown-values"},
+       "shown-values", "BarycentricIsOneAtItsVertexAndZeroOpposite|BarycentricsReproduceThePoint"},
       {"barycentrics-exchanged-back", "the barycentrics of back faces are exchanged", "",
        barycentrics([](Triple& l, BarycentricForm, const Points3& v, Point2) {
          if (TwiceArea(v) < 0) std::swap(l[1], l[2]);
        }),
-       "shown-values"},
+       "shown-values", "BarycentricsFollowTheirVertices"},
       {"barycentrics-sum", "barycentrics over their sum are off by 16 ulps", "nvdiffrast #229",
        barycentrics([](Triple& l, BarycentricForm form, const Points3&, Point2) {
          if (form == BarycentricForm::kSum) l[1] *= 1 + 0x1p-19;
@@ -106,18 +110,18 @@ std::vector<Mutant> Barycentrics() {
        barycentrics([](Triple& l, BarycentricForm form, const Points3&, Point2) {
          if (form == BarycentricForm::kOneMinus) l[2] = 1 - l[0];
        }),
-       "shown-values"},
+       "shown-values", "BarycentricsSumToOne"},
       {"barycentrics-reciprocal", "the area's reciprocal has 12 bits", "PPSSPP #9686",
        barycentrics([](Triple& l, BarycentricForm form, const Points3&, Point2) {
          if (form == BarycentricForm::kOneMinus) return;
          for (double& barycentric : l) barycentric *= 1 + 0x1.8p-13;
        }),
-       "shown-values"},
+       "shown-values", "BarycentricsStayWithinTheirBound"},
       {"barycentrics-unsigned", "barycentrics have no sign", "",
        barycentrics([](Triple& l, BarycentricForm, const Points3&, Point2) {
          for (double& barycentric : l) barycentric = std::fabs(barycentric);
        }),
-       "shown-values"},
+       "shown-values", "BarycentricSignsAgreeWithTheEdges"},
       {"barycentrics-not-a-number", "barycentrics of thin triangles are NaN", "PPSSPP #15263",
        barycentrics([](Triple& l, BarycentricForm, const Points3& v, Point2) {
          if (std::fabs(TwiceArea(v)) < 0.125) l[0] = std::numeric_limits<double>::quiet_NaN();
@@ -157,7 +161,7 @@ std::vector<Mutant> Interpolations() {
          if (form == InterpolationForm::kDeltas) z[2] = z[1];
          return sound.Interpolate(form, v, z, p);
        }),
-       "shown-values"},
+       "shown-values", "DepthByDeltasEqualsDepthByBarycentrics"},
       {"depth-rotated", "values are interpolated from the next vertex", "",
        interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, Corners3 v,
                       Triple z,
@@ -168,14 +172,14 @@ std::vector<Mutant> Interpolations() {
                       Triple z, Point2 p) {
          return std::nearbyint(sound.Interpolate(form, v, z, p) * 65535) / 65535;
        }),
-       "shown-values"},
+       "shown-values", "InterpolationStaysWithinItsBound"},
       {"perspective-affine", "perspective-correct interpolation is affine", "",
        interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, Corners3 v,
                       Triple z, Point2 p) {
          const bool perspective = form == InterpolationForm::kPerspective;
          return sound.Interpolate(perspective ? InterpolationForm::kBarycentrics : form, v, z, p);
        }),
-       "shown-values"},
+       "shown-values", "PerspectiveInterpolationStaysWithinItsBound"},
       {"perspective-times-w", "perspective-correct interpolation multiplies by w", "",
        interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, Corners3 v,
                       Triple z, Point2 p) {
@@ -187,7 +191,7 @@ std::vector<Mutant> Interpolations() {
        interpolate([](const BarycentricEvaluator& sound, InterpolationForm form, Corners3 v,
                       Triple z,
                       Point2 p) { return sound.Interpolate(form, v, z, p) * (1 + 0x1p-12); }),
-       "shown-values"},
+       "shown-values", "InterpolatedValuesStayInTheHull"},
   };
 }
 
@@ -204,7 +208,7 @@ std::vector<Mutant> Distances() {
              if (form == WireframeForm::kHeight) std::ranges::rotate(d, d.begin() + 1);
              return d;
            }),
-       "shown-values"},
+       "shown-values", "HeightDistanceIsTheDistanceInPixels"},
       {"distance-of-barycentrics", "the derivative is left out", "",
        distances(
            [](const BarycentricEvaluator& sound, WireframeForm form, const Points3& v, Point2 p) {
@@ -218,7 +222,7 @@ std::vector<Mutant> Distances() {
              const bool derivative = form == WireframeForm::kDerivative;
              return sound.EdgeDistances(derivative ? WireframeForm::kHeight : form, v, p);
            }),
-       "shown-values"},
+       "shown-values", "DerivativeDistanceMeasuresInTheL1Norm"},
       {"distance-of-barycentric-exchanged", "barycentric distances belong to the next edge", "",
        distances(
            [](const BarycentricEvaluator& sound, WireframeForm form, const Points3& v, Point2 p) {
@@ -226,7 +230,7 @@ std::vector<Mutant> Distances() {
              if (form == WireframeForm::kBarycentric) std::ranges::rotate(d, d.begin() + 1);
              return d;
            }),
-       "shown-values"},
+       "shown-values", "BarycentricDistanceIsTheSmallestCoordinate"},
   };
 }
 

@@ -106,9 +106,9 @@ constexpr double kStep = kSquareStep;
 std::vector<Mutant> SquareMutants() {
   return {
       {"squares-epsilon-inside", "a pixel that is met by less than 2^-20 pixel is left out", "",
-       SquaresOf("voxel", {.half_width = -kStep})},
+       SquaresOf("voxel", {.half_width = -kStep}), "", "SquaresThatMustBeAreCovered"},
       {"squares-epsilon-outside", "a pixel that is missed by 2^-20 pixel is covered", "",
-       SquaresOf("voxel", {.half_width = kStep})},
+       SquaresOf("voxel", {.half_width = kStep}), "", "SquaresOutsideTheMayRegionStayFree"},
       {"squares-touched-corner-lost", "a pixel that is touched at a corner alone is left out", "",
        SquaresOf("voxel", {.instead = LosesTouchedCorners})},
       {"squares-crossing-lost", "an edge through the corner of a pixel does not meet it", "",
@@ -144,7 +144,8 @@ std::vector<Mutant> SquareMutants() {
        SquaresOf("d3d12-conservative-2",
                  {.half_width = 0x1p-8, .placing = kEight, .instead = AsksEdgesOnly})},
       {"squares-by-corners", "a pixel that an edge crosses between corners is left out", "",
-       SquaresOf("gdal-all-touched", {.contact = Contact::kNone, .instead = AsksCornersOnly})},
+       SquaresOf("gdal-all-touched", {.contact = Contact::kNone, .instead = AsksCornersOnly}), "",
+       "MetSquaresIncludeCoveredCentres|SubdivisionLeavesNoSquareUntouched"},
       {"squares-by-centres", "a pixel is covered if its centre is", "",
        SquaresOf("vulkan-overestimate", {.instead = AsksTheCentre})},
       {"squares-box", "every pixel of the triangle's box is covered", "",
@@ -156,7 +157,8 @@ std::vector<Mutant> SquareMutants() {
       {"squares-inner-touched", "a pixel that a side touches from within is inner", "",
        SquaresOf("d3d12-inner", {.holds = true})},
       {"squares-inner-by-three-corners", "a pixel with three corners inside lies inside", "",
-       SquaresOf("vulkan-underestimate", {.holds = true, .instead = TakesThreeCorners})},
+       SquaresOf("vulkan-underestimate", {.holds = true, .instead = TakesThreeCorners}), "",
+       "HeldSquaresHaveCoveredCentres"},
   };
 }
 

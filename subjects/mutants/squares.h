@@ -55,7 +55,7 @@ struct SquareStages {
 
 /// Domain:     float32 scenes in window space.
 std::unique_ptr<Subject> MakeSquares(const std::string& name, const std::string& summary,
-                                     SquareStages stages);
+                                     const SquareStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

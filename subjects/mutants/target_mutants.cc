@@ -30,7 +30,7 @@ std::vector<Mutant> Scissors() {
          options.scissor = Rect(options, scene);
          ++options.scissor->x1;
        }),
-       "scissor"},
+       "scissor", "ScissorOnlyCutsCoverage|DrawStaysInsideItsTarget"},
       {"scissor-bottom-early", "the scissor ends one row early", "",
        Changing([](DrawOptions& options, const Scene&) {
          if (options.scissor) --options.scissor->y1;
@@ -48,7 +48,7 @@ std::vector<Mutant> Scissors() {
          if (options.cull == Cull::kNone) return;
          options.cull = options.cull == Cull::kFront ? Cull::kBack : Cull::kFront;
        }),
-       "culling"},
+       "culling", "CullingRemovesOneFacing"},
       {"cull-ignored-without-scissor", "back faces are culled only where there is a scissor", "",
        Changing([](DrawOptions& options, const Scene&) {
          if (!options.scissor && options.cull == Cull::kBack) options.cull = Cull::kNone;
@@ -71,13 +71,13 @@ std::vector<Mutant> Targets() {
        FixedStages{
            {.box = [](PixelRect& box, const GridTriangle&,
                       const Scene& scene) { box.y1 = std::min(box.y1, scene.height - 1); }}},
-       "target-border"},
+       "target-border", "TargetHeightKeepsCoverage"},
       {"target-odd-width", "targets of odd width lose their last column", "",
        FixedStages{{.box =
                         [](PixelRect& box, const GridTriangle&, const Scene& scene) {
                           box.x1 = std::min(box.x1, scene.width - scene.width % 2);
                         }}},
-       "target-border"},
+       "target-border", "TargetWidthKeepsCoverage"},
       {"target-2048", "pixels from column 2048 on are never drawn", "llvmpipe 1165ff1",
        Dropping([](const Sample& at) { return at.x >= 2048; }), "target-border"},
       {"target-single-pixel", "a target of one column is not drawn", "",
@@ -99,7 +99,7 @@ std::vector<Mutant> Targets() {
                           const auto index = counts.Index(at.x, at.row, at.s);
                           return static_cast<std::size_t>(static_cast<float>(index));
                         }}},
-       "target-border"},
+       "target-border", "LargeTargetIsCoveredLikeASmallOne"},
       {"target-bins-of-8-bits", "the number of a tile of 256 x 256 pixels is kept in 8 bits", "",
        FixedStages{{.index =
                         [](const CoverageCounts& counts, const Sample& at) {
@@ -109,7 +109,7 @@ std::vector<Mutant> Targets() {
                           return counts.Index(std::min(x, counts.width - 1),
                                               kept / columns * 256 + at.row % 256, at.s);
                         }}},
-       "target-border"},
+       "target-border", "LargeTargetIsCoveredLikeASmallOne"},
       {"target-overwritten", "counts are written, not added to", "",
        FixedStages{{.after =
                         [](CoverageCounts& counts, const CoverageCounts& before) {
@@ -117,7 +117,7 @@ std::vector<Mutant> Targets() {
                             if (counts.front[k] != before.front[k]) counts.front[k] = 1;
                           }
                         }}},
-       "counting"},
+       "counting", "DrawStaysInsideItsTarget"},
       {"target-touched", "the first span of front faces is one sample too long", "",
        FixedStages{{.after =
                         [](CoverageCounts& counts, const CoverageCounts& before) {
@@ -146,7 +146,7 @@ std::vector<Mutant> Targets() {
                           options.scissor = Rect(options, scene);
                           options.scissor->y0 = std::max(1, options.scissor->y0);
                         }}},
-       "earlier-draws"},
+       "earlier-draws", "EqualDrawsGiveEqualCounts"},
   };
 }
 
@@ -157,7 +157,7 @@ std::vector<Mutant> Threads() {
                         [](int&, int& end, int worker, int workers) {
                           if (workers > 1 && worker == workers - 1) --end;
                         }}},
-       "threads"},
+       "threads", "ThreadCountKeepsCoverage"},
       {"threads-overlap", "from three threads on two of them draw the row between them", "",
        FixedStages{{.share =
                         [](int& begin, int& end, int worker, int workers) {

@@ -26,7 +26,9 @@ std::vector<Mutant> Ties() {
   return {
       {"ties-inclusive", "every edge owns its samples",
        "WebGL #1797, where the reference renderer did; Avocado #18",
-       Owning([](const GridEdge&) { return true; }), "tie-rule"},
+       Owning([](const GridEdge&) { return true; }), "tie-rule",
+       "ClosedMeshCancels|CoverageEqualsTheModel|EmbeddedMeshSamplesAreCoveredOnce|"
+       "SharedEdgeSamplesAreCoveredOnce|SignedCoverageEqualsTheWindingNumber"},
       {"ties-exclusive", "no edge owns its samples", "",
        Owning([](const GridEdge&) { return false; }), "tie-rule"},
       {"ties-horizontal-inclusive", "every horizontal edge owns its samples",
@@ -55,7 +57,8 @@ std::vector<Mutant> Ties() {
                                const Sample&) { return t.front ? e.owns : Other(e); }}},
        "tie-rule"},
       {"ties-first-edge", "the rule is left out for the edge opposite the first vertex", "",
-       FixedStages{{.edges = [](GridTriangle& t) { t.edges[0].owns = true; }}}, "tie-rule"},
+       FixedStages{{.edges = [](GridTriangle& t) { t.edges[0].owns = true; }}}, "tie-rule",
+       "VertexRotationKeepsCoverage"},
       {"ties-before-snap", "which edges are left or top ones is decided before the snap", "",
        [] {
          const auto drawn = std::make_shared<const Scene*>(nullptr);
@@ -114,7 +117,7 @@ std::vector<Mutant> Facings() {
                           const std::int64_t area = GridEdge{v[0], v[1]}.At(v[2]);
                           return area > 0 ? area : 0;
                         }}},
-       "facing|facing-arithmetic"},
+       "facing|facing-arithmetic", "ReversalSwapsFacing"},
       {"flat-of-input", "a triangle without area before the snap is left out",
        "D3D11.3 decides it after it",
        FixedStages{{.drops =
@@ -123,7 +126,8 @@ std::vector<Mutant> Facings() {
                           const double area = (v[2].x - v[0].x) * (v[1].y - v[0].y) -
                                               (v[2].y - v[0].y) * (v[1].x - v[0].x);
                           return area < 0x1p-9 && area > -0x1p-9;
-                        }}}},
+                        }}},
+       "", "CoverageEqualsTheModel"},
       {"facing-in-float", "the area is computed in float32 from a constant term", "",
        FixedStages{{.area =
                         [](const std::array<GridPoint, 3>& v) {

@@ -52,7 +52,7 @@ std::vector<Mutant> Boxes() {
                   if (t.number != 0) b.x1 = std::min(b.x1, std::max(last.x1, b.x0 + 4));
                   last = b;
                 }}},
-       "list"},
+       "list", "TriangleOrderKeepsCoverage"},
   };
 }
 
@@ -122,7 +122,7 @@ std::vector<Mutant> Tiles() {
                           if (options.tile > 32)
                             options.scissor = PixelRect{0, 1, scene.width, scene.height};
                         }}},
-       "tile-size"},
+       "tile-size", "TileSizeKeepsCoverage"},
       {"tile-odd-size", "tiles whose side is no power of two leave out their first column", "",
        FixedStages{{.options =
                         [](DrawOptions& options, const Scene& scene) {

@@ -264,7 +264,7 @@ class PluginEdges final : public StatedEdges {
       refused = call();
     }
     if (refused == 0) return;
-    throw InputError("subject", "it refused to show an edge value: " + std::to_string(refused),
+    throw InputError("subject", "it refused an edge value: " + std::to_string(refused),
                      "give it another scene");
   }
 
@@ -299,7 +299,7 @@ class PluginSubject final : public Subject {
   Drawing Show(const DrawJob& job) override {
     Reset();
     if (!CanBeGiven(*job.scene, info_.profile)) {
-      throw InputError("subject " + info_.name, "its integers do not hold a coordinate",
+      throw InputError("subject " + info_.name, "a coordinate is out of range of its integers",
                        "give it multiples of its step within its range");
     }
     PluginScene given(job, VerticesOf(job), std::move(indices_));
@@ -413,8 +413,8 @@ void RequireSoundFixedInput(const rasterproof_plugin& plugin, const std::string&
                      "set fixed_integer_bits from 1 to 31 and fixed_fraction_bits from 0 to 16");
   }
   if (Has(plugin, RASTERPROOF_TAKES_CLIP_SPACE) || Has(plugin, RASTERPROOF_TAKES_NO_WINDOW_SPACE)) {
-    throw InputError(path, "its input is fixed point, and it takes clip space",
-                     "leave the bits for clip space out of takes");
+    throw InputError(path, "a fixed-point input cannot take clip space",
+                     "clear the clip-space bits of takes");
   }
 }
 
@@ -423,7 +423,7 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   const auto require = [&](bool holds, const std::string& reason, const std::string& remedy) {
     if (!holds) throw InputError(path, reason, remedy);
   };
-  require(plugin != nullptr, std::string(kSymbol) + " returned NULL", "return a description");
+  require(plugin != nullptr, std::string(kSymbol).append(" returned NULL"), "return a description");
   require(
       plugin->version == RASTERPROOF_PLUGIN_VERSION,
       "it is written for version " + std::to_string(plugin->version) + " of the interface",
@@ -445,20 +445,20 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   require_known("barycentrics_of", described.barycentrics_of, RASTERPROOF_OF_GIVEN);
   require((described.takes & RASTERPROOF_SHOWS_CENTROIDS) == 0 ||
               described.coverage == RASTERPROOF_FRAGMENTS,
-          "it shows centroids and no fragments", "set coverage to RASTERPROOF_FRAGMENTS");
+          "it shows centroids without fragments", "set coverage to RASTERPROOF_FRAGMENTS");
   const auto require_error = [&](const char* what, double error) {
     require(std::isfinite(error) && error >= 0,
             std::string("its ") + what + " is " + std::to_string(error),
-            "give a finite number, or 0 to say nothing");
+            "give a finite number, or 0 for none stated");
   };
   require_error("barycentric_error", described.barycentric_error);
   require_error("depth_error", described.depth_error);
   for (const double error : {described.edge_error, described.stepping_error}) {
-    require(std::isfinite(error), "the stated error of its edge values is no number",
-            "give a finite number, 0 for exact values, or -1 to say nothing");
+    require(std::isfinite(error), "the stated error of its edge values is not a number",
+            "give a finite number, 0 for exact values, or -1 for none stated");
   }
   require(described.edge_value != nullptr || described.edge_steps == nullptr,
-          "it shows steps and no edge values", "set edge_value too");
+          "it shows steps without edge values", "set edge_value too");
   RequireSoundFixedInput(described, path);
   return described;
 }
@@ -476,7 +476,7 @@ LoadedPlugin LoadPlugin(const std::string& path) {
   }
   if (library == nullptr) {
     throw InputError(path, std::string("it can't be loaded: ") + dlerror(),
-                     "give a shared library (.so) and what it needs");
+                     "give a shared library (.so) whose dependencies are installed");
   }
   void* const symbol = dlsym(library, kSymbol);
   if (symbol == nullptr) {

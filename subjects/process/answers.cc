@@ -61,8 +61,7 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
     throw SubjectDoesNotRun(
         subject,
         "its first line is " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " 1\"",
-        "standard output is for answers alone: write a greeting or a log to "
-        "standard error");
+        "write only answers to standard output; greetings and logs go to standard error");
   }
   BreakDown("it answered " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " " +
             std::to_string(id) + "\" (was a line left over from an earlier answer?)");
@@ -154,8 +153,8 @@ void ReadCountsArray(CoverageCounts& counts, bool has_facings, const NextBytes& 
 
 void RequirePrimitiveId(std::int64_t id, std::size_t triangles) {
   if (id >= kNoPrimitive && id < static_cast<std::int64_t>(triangles)) return;
-  BreakDown("it says that triangle " + std::to_string(id) +
-            " is visible at a sample, of a scene of " + std::to_string(triangles) + " triangles");
+  BreakDown("it names triangle " + std::to_string(id) + " as visible at a sample, in a scene of " +
+            std::to_string(triangles) + " triangles");
 }
 
 void ReadPrimitiveIdsArray(Drawing& drawing, std::size_t triangles, const NextBytes& next_bytes) {
@@ -297,7 +296,7 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
   Drawing drawing;
   drawing.counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
   if (is_array && IsOfFragments(answered))
-    BreakDown("it gives fragments as an array; only counts and primitive ids may come so");
+    BreakDown("it gives fragments as an array; only counts and primitive ids can be one");
   if (answered.primitive_ids) {
     if (is_array) {
       ReadPrimitiveIdsArray(drawing, job.Triangles().size(), next_bytes);

@@ -34,7 +34,7 @@ std::string Reason(int error) { return std::generic_category().message(error); }
 
 [[noreturn]] void CannotStart(const std::string& program, int error) {
   throw InputError(program, "can't be started: " + Reason(error),
-                   "give a program that this user may run, with its path");
+                   "give the path of a program that this user may run");
 }
 
 struct Pipe {

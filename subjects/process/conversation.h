@@ -22,7 +22,7 @@ namespace rasterproof::subjects {
 /// How long an answer is waited for, in the program's own time.
 struct ProcessSubject::Wait {
   double limit = 0;  ///< what it may take
-  double most = 0;   ///< when nobody waits any longer: then it hangs, if that is more
+  double most = 0;   ///< when it counts as hanging, if that is more
 
   bool IsLong() const { return most > limit; }
 };
@@ -132,19 +132,19 @@ class ProcessSubject::Child {
     return bytes;
   }
 
-  /// Whoever says more than it was asked would be taken for an answer to what comes next.
+  /// Extra output would be taken for the answer to the next request.
   void RequireSilence() {
     std::string more;
     if (!process_.HasUnread(more)) return;
     if (!process_.WasTold()) {
-      const std::string why = "it spoke before it was asked: " + Quoted(more, 60);
+      const std::string why = "it printed before it was asked: " + Quoted(more, 60);
       if (more.find('\n') == std::string::npos) BreakDown(why);
-      throw SubjectDoesNotRun("the program", why,
-                              "standard output is for answers alone: write a greeting or a log to "
-                              "standard error");
+      throw SubjectDoesNotRun(
+          "the program", why,
+          "write only answers to standard output; greetings and logs go to standard error");
     }
-    BreakDown("it said more than its answer: " + Quoted(more, 60) +
-              "; rows of back faces want `coverage facing-counts`");
+    BreakDown("it printed more than its answer: " + Quoted(more, 60) +
+              "; rows of back faces need `coverage facing-counts`");
   }
 
  private:
@@ -153,10 +153,10 @@ class ProcessSubject::Child {
       case PipeEnd::kOpen:
         return;
       case PipeEnd::kTimedOut:
-        if (process_.ReadsNoMore()) BreakDown("it closed its input and gave no answer");
+        if (process_.ReadsNoMore()) BreakDown("it closed its input without an answer");
         throw OutOfTime(patience.time);
       case PipeEnd::kDeadline:
-        throw SubjectStop(Stop::kDeadline, "its time was up before it answered (--seconds)");
+        throw SubjectStop(Stop::kDeadline, "it ran out of time before it answered (--seconds)");
       case PipeEnd::kInterrupted:
         throw SubjectStop(Stop::kTooSlow, kInterruptedText);
       case PipeEnd::kTooLong:

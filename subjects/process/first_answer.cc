@@ -80,10 +80,10 @@ void RequireThatItAnswers(const std::vector<std::string>& command, const Subject
       info.name,
       "it " + ending +
           " before its first answer, and again when it was asked for one plain triangle" +
-          (said.empty() ? ", without a word on standard error"
+          (said.empty() ? ", with nothing on standard error"
                         : "; its last words: " + Quoted(said, kMostOfLastWords)),
-      "mend how it is called, or what it needs: it reads requests from standard input and answers "
-      "each on standard output");
+      "correct its command or its dependencies: it must read requests from standard input and "
+      "answer each on standard output");
 }
 
 }  // namespace rasterproof::subjects

@@ -43,7 +43,7 @@ struct NpyHead {
 };
 
 [[noreturn]] void NoArray(const std::string& what) {
-  BreakDown("what follows `npy` in its answer is no array in the format NPY: " + what);
+  BreakDown("`npy` in its answer is not followed by an array in the format NPY: " + what);
 }
 
 // What follows `'key':` in the dictionary of the head.
@@ -88,7 +88,7 @@ NpyHead ReadNpyHead(const NextBytes& next_bytes) {
   const std::string_view type = ValueOf(head, "descr");
   const std::string_view order = ValueOf(head, "fortran_order");
   if (!order.starts_with("False")) {
-    NoArray("its numbers lie column by column; give numpy.ascontiguousarray(...)");
+    NoArray("its numbers are in column-major order; give numpy.ascontiguousarray(...)");
   }
   NpyHead read{{}, ShapeOf(ValueOf(head, "shape"), head)};
   const std::size_t end = type.find('\'', 1);

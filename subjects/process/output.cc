@@ -36,7 +36,7 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
       case PipeEnd::kClosed: {
         const std::string ending = process.Ending();
         if (ending == kEndedWell) return output;
-        throw InputError(place, "it " + ending, "mend the program, or give another");
+        throw InputError(place, "it " + ending, "correct the program, or give another");
       }
       case PipeEnd::kTooLong:
       case PipeEnd::kTooLarge:
@@ -45,11 +45,11 @@ std::string OutputOf(const std::vector<std::string>& command, const std::string&
       case PipeEnd::kDeadline:
         throw InputError(
             place, "it did not end within " + SecondsText(seconds) + ": " + patience.time.Text(),
-            "mend the program, or raise --time-limit");
+            "correct the program, or raise --time-limit");
       case PipeEnd::kInterrupted:
         throw SubjectStop(Stop::kTooSlow, kInterruptedText);
     }
-    throw InputError(place, "it printed more than 1 MiB", "mend the program");
+    throw InputError(place, "it printed more than 1 MiB", "correct the program");
   }
 }
 

@@ -190,7 +190,8 @@ std::vector<std::vector<double>> ProcessSubject::AskValues(std::span<EdgeRequest
 
 // The child is in the hands of who asks it: whatever goes wrong, the next one starts a fresh one.
 std::unique_ptr<ProcessSubject::Child> ProcessSubject::TakeChild() {
-  if (Clock::now() >= deadline_) throw SubjectStop(Stop::kDeadline, "its time was up (--seconds)");
+  if (Clock::now() >= deadline_)
+    throw SubjectStop(Stop::kDeadline, "it ran out of time (--seconds)");
   if (child_ == nullptr) child_ = std::make_unique<Child>(command_, limits_);
   std::unique_ptr<Child> child = std::move(child_);
   child->RequireSilence();

@@ -180,7 +180,7 @@ TEST(CaseFileTest, BadCasesAreRefusedWithPlaceAndReason) {
       {profile(R"("snap_tolerance": -0.5)"), "is not a snap tolerance"},
       {profile(R"("snap_tolerance": 1.5)"), "a number of grid steps from 0 to 1"},
       {profile(R"("tie_ownership": "mine")"), "tie_ownership"},
-      {profile(R"("tie_rule": "left")"), "profile.tie_rule: \"left\" is no tie rule"},
+      {profile(R"("tie_rule": "left")"), "profile.tie_rule: \"left\" is not a tie rule"},
       {profile(R"("y_axis": "left")"), "profile.y_axis: \"left\" is unknown"},
       {profile(R"("contract": "good")"), "profile.contract: \"good\" is unknown"},
       {profile(R"("sample_locations": [])"), "has 0 sample locations; write from 1 to 64"},

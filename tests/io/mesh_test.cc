@@ -172,7 +172,7 @@ TEST(MeshTest, BadMeshesAreRefusedWithFileReasonAndRemedy) {
   expect(MessageFor(".gltf", "{"), "can't be read as a mesh");
   expect(MessageFor(".glb", "not glTF at all"), "can't be read as a mesh");
   expect(MessageFor(".off", "OFF\n0 0 0\n"), "can't be read as a mesh");
-  expect(MessageFor(".txt", kObjTetrahedron), "is not a mesh by its name");
+  expect(MessageFor(".txt", kObjTetrahedron), "has no name of a mesh");
   expect(MessageFor(".obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"), "has no triangles");
   expect(MessageFor(".obj", "v 0 0 0\nv nan 0 0\nv 1 1 0\nf 1 2 3\n"), "not finite");
   for (const std::string path : {"no/such/mesh.obj", "scenes.obj/"}) {

@@ -224,14 +224,14 @@ TEST(ProfileJson, SquaresThatCannotBeDecidedAreRefused) {
             "p.json: has the key coverage or the contract squares, but not both; write both: "
             "\"contract\": \"squares\" is about what coverage states");
   EXPECT_EQ(WhyRefused(head + "{}}"),
-            "p.json: coverage: states neither squares that must be covered nor squares that may "
-            "be; give it a must or a may region, or leave coverage out");
+            "p.json: coverage: states neither a must nor a may region; give it a must or a may "
+            "region, or leave coverage out");
   EXPECT_EQ(WhyRefused(head + R"({"may": {"relation": "intersects", "half_width": 1.5}}})"),
             "p.json: coverage.may.half_width: is not a half width; write a multiple of 2^-20 "
             "pixel, at least -7/16 and at most 1");
   EXPECT_EQ(WhyRefused(head + R"({"may": {"relation": "intersects", "shape": "half-open"}}})"),
-            "p.json: coverage.may: lets a closed square meet a half-open shape, which is not "
-            "decided; write a half-open square, or an open or closed shape");
+            "p.json: coverage.may: lets a closed square meet a half-open shape, which the oracle "
+            "can't decide; write a half-open square, or an open or closed shape");
 }
 
 TEST(ProfileJson, TheOldWordsForBoundsAreToldTheNewOnes) {
@@ -260,10 +260,10 @@ TEST(ProfileJson, APresetsNameIsForWhatThePresetSays) {
     ParseProfile(R"({"name": "vulkan-canonical", "subpixel_bits": 4})", "p.json");
     ADD_FAILURE() << "a profile of 4 bits is taken for the preset of 8";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "p.json: name: \"vulkan-canonical\" is the name of a preset, and this is not what "
-                 "the preset "
-                 "says; give it another name, or write \"vulkan-canonical\" alone for the preset");
+    EXPECT_STREQ(
+        error.what(),
+        "p.json: name: \"vulkan-canonical\" names a preset, but this differs from the preset; give "
+        "it another name, or write \"vulkan-canonical\" alone for the preset");
   }
 }
 
@@ -295,7 +295,7 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("max_primitive_extent": [1024])",
                "max_primitive_extent: has 1 numbers; write [width, height]"},
            Bad{R"("max_primitive_extent": [1024, 0])",
-               "max_primitive_extent: is not the size of a triangle"},
+               "max_primitive_extent: is not a triangle size"},
            Bad{R"("max_primitive_extent": ["nan", 1])", "max_primitive_extent[0]: is not finite"},
            Bad{R"("rounding": "unspecified", "front_face": "unstated", "culls": "back")",
                "p.json: culls one side and leaves front_face unstated"},
@@ -307,7 +307,7 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
            Bad{R"("guard_band": [0, 0, "inf", 1])", "guard_band[2]: is not finite"},
            Bad{R"("scanline_rounding": {"rule": "floor"})", "bits"},
            Bad{R"("sample_locations": "standard-3")",
-               "sample_locations: \"standard-3\" is no standard pattern; write standard-1, -2"},
+               "sample_locations: \"standard-3\" is not a standard pattern; write standard-1, -2"},
            Bad{R"("sample_locations": [["1/3", 0]])", "is not a sample location"},
            Bad{R"("sample_locations": [["8/8", 0]])", "is not a sample location"},
            Bad{R"("sample_locations": [["1/0", 0]])", "sample_locations[0][0]"},
@@ -319,7 +319,7 @@ TEST(ProfileJson, BadValuesNameTheirPlaceTheReasonAndTheRemedy) {
                "y up"},
            Bad{R"("transform": {"map": [0, 0, 1, 1], "flips_y": true})",
                "transform: has a map and a viewport; leave viewport and flips_y out: a map's dy "
-               "turns y over"},
+               "flips y"},
            Bad{R"("transform": {"division": "rcp"})",
                "transform.division: \"rcp\" is unknown; known here are"},
            Bad{R"("transform": {"viewport": "half"})", "none, multiply-add, fused, add-multiply"},

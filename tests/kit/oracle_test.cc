@@ -171,7 +171,7 @@ TEST(Oracle, SaysWhyItDoesNotDecide) {
     EXPECT_EQ(decisions.front(), 77) << "nothing is written";
     return std::string(rasterproof_oracle_message());
   };
-  EXPECT_EQ(why(scene, "vulkan-4x"), "the profile leaves the places of samples open");
+  EXPECT_EQ(why(scene, "vulkan-4x"), "the profile does not state where samples lie");
   EXPECT_EQ(why(scene, R"({"name": "n", "contract": "none"})"),
             "the contract does not state single samples");
   EXPECT_EQ(

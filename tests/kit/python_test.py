@@ -110,7 +110,7 @@ class Arrays(unittest.TestCase):
             with self.subTest(said), self.assertRaises(rp.BadArgument) as raised:
                 act()
             self.assertIn(said, str(raised.exception))
-        with self.assertRaisesRegex(rp.NotDecided, "places of samples open"):
+        with self.assertRaisesRegex(rp.NotDecided, "not state where samples lie"):
             rp.decided(SQUARE, SIZE, "vulkan-4x")
 
 

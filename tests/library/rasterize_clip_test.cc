@@ -158,7 +158,7 @@ std::string Refused(const RasterMesh& mesh, RasterOutput output) {
 TEST(RasterizeClip, RefusesWhatItCannotDraw) {
   const ClipMesh mesh = RandomClipMesh(1);
   EXPECT_EQ(Refused(mesh.In(RasterSpace::kClip), RasterOutput::kInnerMask),
-            "target.output: squares are of window space alone; give a mesh of window space, or ask "
+            "target.output: squares need window space; give a mesh of window space, or ask "
             "for an output of centres");
   RasterMesh odd = mesh.In(RasterSpace::kClip);
   odd.positions = odd.positions.first(15);

@@ -361,7 +361,7 @@ std::vector<BadCall> BadCalls() {
       {"target.height: 65537 pixels; give", [](auto&, auto& target) { target.height = 65537; }},
       {"target.pitch: 28 bytes, less than a row's; give at least 32",
        [](auto&, auto& target) { target.pitch = 28; }},
-      {"target.pitch: 33 bytes, not of whole pixels; give a multiple of 4",
+      {"target.pitch: 33 bytes, not a multiple of a pixel's; give a multiple of 4",
        [](auto&, auto& target) { target.pitch = 33; }},
       {"target.memory: null; give", [](auto&, auto& target) { target.memory = {}; }},
       {"target.memory: 127 bytes, less than its rows take; give",
@@ -376,7 +376,7 @@ std::vector<BadCall> BadCalls() {
          target.height = 3;
          target.memory = target.memory.subspan(1);
        }},
-      {"target.back: facing counts alone have one; leave",
+      {"target.back: only facing counts have one; leave",
        [](auto&, auto& target) { target.back = none; }},
       {"target.back: null; give",
        [](auto&, auto& target) { target.output = RasterOutput::kFacingCounts; }},

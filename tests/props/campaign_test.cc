@@ -262,7 +262,7 @@ TEST(Campaign, WithoutATieIsNoPassWhereItsDomainsHaveTies) {
   EXPECT_EQ(run.After(99, BesideSamples()), "holds");  // few cases
   EXPECT_EQ(run.After(1, BesideSamples()),
             "no case has a sample on an edge, and 100 are of domains that can reach it; run more "
-            "cases, or mend the domain");
+            "cases, or correct the domain");
   EXPECT_EQ(run.Concluded().outcome, Outcome::kInconclusive);
   EXPECT_EQ(run.After(1, HalfOnSamples()), "holds");
   constexpr std::array<std::string_view, 1> kNone{"caps"};

@@ -135,7 +135,7 @@ TEST(Catalogue, AFamilyOfWhatTheProfileDoesNotStateIsExcusedForThatAndElseDrawn)
   FakeSubject one = testing::Sound(SnappedInfo(8));
   const Cell excused = Own(one, "pattern-lines");
   EXPECT_EQ(excused.cases, 0U);
-  EXPECT_EQ(excused.why, "the profile states nothing that the family is about");
+  EXPECT_EQ(excused.why, "the profile says nothing about the family");
   SubjectInfo info = SnappedInfo(8);
   info.profile.pattern = *StandardPattern(4);
   FakeSubject four = testing::Sound(info);

@@ -49,9 +49,9 @@ Cause CauseOf(std::string_view mutant, std::string_view property = "CoverageEqua
   const MakesSubject make = MutantMaker(mutant);
   const FailedProperty failure = FailureOf(make, *FindProperty(property));
   if (failure.property == nullptr) return {};
-  const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
-  EXPECT_EQ(found.causes.size(), 1U);
-  return found.causes.empty() ? Cause() : found.causes.front();
+  const Causes found = FindCauses(make, std::span(&failure, 1), kLongest);
+  EXPECT_EQ(found.all.size(), 1U);
+  return found.all.empty() ? Cause() : found.all.front();
 }
 
 TEST(Suspect, WithoutAChangeDrawsTheModel) {
@@ -79,7 +79,19 @@ TEST(Suspect, IsNamedInWholeWords) {
   EXPECT_GT(suspects.size(), 300U);
   for (const Suspect& suspect : suspects) {
     EXPECT_FALSE(suspect.cause.empty() || suspect.what.empty());
-    EXPECT_EQ(suspect.what.find('{'), std::string::npos) << suspect.what;
+    EXPECT_EQ(suspect.what.find("{}") != std::string::npos, static_cast<bool>(suspect.within))
+        << suspect.what;
+  }
+}
+
+TEST(Cause, OfABudgetNamesItsNumber) {
+  for (const auto& [mutant, what] :
+       {std::pair("mutant:target-2048", "never draws pixels from column 2048 on"),
+        std::pair("mutant:many-vertices-lost",
+                  "leaves out triangles with vertices from number 256 on")}) {
+    const Cause cause = CauseOf(mutant);
+    EXPECT_EQ(cause.kind, CauseKind::kModel) << mutant;
+    EXPECT_EQ(cause.what, std::vector<std::string>{what}) << mutant;
   }
 }
 
@@ -161,9 +173,9 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
   cut.options.scissor = PixelRect{0, 0, 2, 2};
   const std::vector<FailedProperty> failures{
       {&EqualsTheModel(), {small}}, {&EqualsTheModel(), {tie}}, {&EqualsTheModel(), {cut}}};
-  const Explanation found = Explain(ThreeBugs, failures, kLongest);
+  const Causes found = FindCauses(ThreeBugs, failures, kLongest);
   std::vector<std::string> names;
-  for (const Cause& cause : found.causes) {
+  for (const Cause& cause : found.all) {
     names.push_back(cause.name);
     EXPECT_EQ(cause.kind, CauseKind::kPart) << cause.name;
   }
@@ -185,9 +197,9 @@ TEST(OnlyWith, NamesWhatTheWrongDrawsShare) {
   const MakesSubject make = MutantMaker("mutant:overflow-unsigned");
   const FailedProperty failure = FailureOf(make, EqualsTheModel());
   ASSERT_NE(failure.property, nullptr);
-  const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
-  ASSERT_EQ(found.causes.size(), 1U);
-  EXPECT_EQ(found.causes.front().name, "overflow");
+  const Causes found = FindCauses(make, std::span(&failure, 1), kLongest);
+  ASSERT_EQ(found.all.size(), 1U);
+  EXPECT_EQ(found.all.front().name, "overflow");
 }
 
 }  // namespace

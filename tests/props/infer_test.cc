@@ -352,7 +352,7 @@ TEST(Infer, AsksASubjectThatBrokeOffNoMoreAndSaysHowItEnded) {
     const Inference inference = Infer(subject);
     EXPECT_EQ(draws, n);
     EXPECT_EQ(inference.experiments, static_cast<std::uint64_t>(n));
-    EXPECT_EQ(inference.message, "the subject broke off: it crashed");
+    EXPECT_EQ(inference.message, "the subject stopped: it crashed");
     EXPECT_FALSE(inference.Fits());
     EXPECT_FALSE(inference.is_inconclusive);
     EXPECT_TRUE(inference.witness.has_value());

@@ -426,10 +426,9 @@ TEST(ContractEvidence, NamesTheKeyThatStandsInTheWay) {
   SubjectInfo closed = RealInfo();
   closed.profile.contract = Contract::kClosed;
   closed.profile.shares_edge_samples = true;
-  EXPECT_EQ(
-      why(closed),
-      "no property of the profile's contract closed can be put to the test: its key edge_samples "
-      "stands in the way");
+  EXPECT_EQ(why(closed),
+            "no property of the profile's contract closed can be tested: its key edge_samples "
+            "stands in the way");
   SubjectInfo exclusive = ClipInfo(Contract::kWatertight);
   exclusive.profile.tie_rule = {.exclusive = true};
   EXPECT_NE(why(exclusive).find("its key tie_rule stands"), std::string::npos) << why(exclusive);
@@ -460,7 +459,7 @@ TEST(ContractEvidence, IsThinBelowTheFewestTies) {
   near_edge.samples = 100;
   near_edge.on_edge = kFewestTies - 1;
   EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin,
-            "thin: 31 samples on an edge put the contract sample-exact to the test, fewer than 32");
+            "thin: 31 samples on an edge test the contract sample-exact, fewer than 32");
   near_edge.on_edge = kFewestTies;
   EXPECT_EQ(EvidenceOfContract(info, {&result, 1}).thin, "");
   near_edge.on_edge = 0;

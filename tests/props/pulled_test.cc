@@ -218,7 +218,7 @@ TEST(PulledEngine, AsksManyCasesInOneRoundAndEachOnce) {
 }
 
 TEST(PulledEngine, SaysThatAnAnswerChanged) {
-  AtAFarEnd far("spans-exact");
+  AtAFarEnd far("mutant:ties-inclusive");  // not what it states: more than one round
   PulledEngine engine(far.Info());
   engine.Add(std::make_unique<PulledInfer>(InferOptions{}));
   bool is_the_same = true;

@@ -1,13 +1,13 @@
-// A survey counts what was planted, keeps its first case, and counts nothing of a right rasterizer.
+// A survey counts what was planted, keeps the worst case, and counts nothing of a right rasterizer.
 #include "props/compare/survey.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/call_end.h"
 #include "core/tie_rule.h"
@@ -23,17 +23,20 @@ namespace {
 using testing::RealInfo;
 using testing::SnappedInfo;
 
-DomainSurvey SurveyOf(Subject& subject, std::string_view domain, std::uint64_t cases = 60) {
+// In the order of kSurveyYardsticks.
+enum Column : std::size_t { kModel, kGaps, kOverlaps, kBatch };
+
+std::vector<Cell> SurveyOf(Subject& subject, std::string_view domain, std::uint64_t cases = 60) {
   SurveyPlan plan;
   plan.model = subject.Info().profile;
   plan.cases = cases;
   return SurveyDomain(subject, domain, plan);
 }
 
-const Finding& FindingOf(const DomainSurvey& survey, Fault fault) {
-  const auto found = std::ranges::find(survey.findings, fault, &Finding::fault);
-  if (found == survey.findings.end()) throw std::runtime_error("it was not found");
-  return *found;
+std::uint64_t WrongSamplesOf(const std::vector<Cell>& cells) {
+  std::uint64_t wrong = 0;
+  for (const Cell& cell : cells) wrong += cell.wrong_samples;
+  return wrong;
 }
 
 // The exact model, but for what `change` makes of the scene before it is drawn.
@@ -57,11 +60,10 @@ TEST(Survey, CountsNothingOfARightRasterizer) {
   for (const SubjectInfo& info : {RealInfo(), SnappedInfo(8), SnappedInfo(0)}) {
     FakeSubject subject = testing::Sound(info);
     for (const SurveyedDomain& surveyed : SurveyedDomains()) {
-      const DomainSurvey survey = SurveyOf(subject, surveyed.name);
-      EXPECT_EQ(survey.cases, 60U) << surveyed.name;
-      EXPECT_EQ(survey.wrong + survey.gaps + survey.overlaps, 0U) << surveyed.name;
-      EXPECT_TRUE(survey.findings.empty()) << surveyed.name;
-      EXPECT_GT(survey.samples, survey.cases) << surveyed.name;
+      const std::vector<Cell> survey = SurveyOf(subject, surveyed.name);
+      EXPECT_EQ(survey[kModel].cases, 60U) << surveyed.name;
+      EXPECT_EQ(WrongSamplesOf(survey), 0U) << surveyed.name;
+      EXPECT_GT(survey[kModel].samples, survey[kModel].cases) << surveyed.name;
     }
   }
 }
@@ -69,37 +71,31 @@ TEST(Survey, CountsNothingOfARightRasterizer) {
 TEST(Survey, TakesEveryCaseOfTheseDomainsForACoveringMesh) {
   FakeSubject subject = testing::Sound(SnappedInfo(4));
   for (const std::string_view domain : {"triangulations", "subdivisions", "covering-fans"}) {
-    EXPECT_EQ(SurveyOf(subject, domain).meshes, 60U) << domain;
+    EXPECT_EQ(SurveyOf(subject, domain)[kGaps].cases, 60U) << domain;
   }
-  EXPECT_EQ(SurveyOf(subject, "uniform-subpixel").meshes, 0U);
+  EXPECT_EQ(SurveyOf(subject, "uniform-subpixel")[kGaps].cases, 0U);
 }
 
 TEST(Survey, CountsAPlantedGapAndKeepsItsCase) {
   FakeSubject subject = testing::WithProfile(
       RealInfo(), [](Profile& profile) { profile.tie_rule = {.exclusive = true}; });
-  const DomainSurvey survey = SurveyOf(subject, "triangulations");
-  EXPECT_GT(survey.gaps, 0U);
-  EXPECT_EQ(survey.overlaps, 0U);
-  const Finding& gap = FindingOf(survey, Fault::kGap);
-  EXPECT_EQ(ParseCaseName(gap.name).domain, "triangulations");
-  EXPECT_EQ(gap.minimal.origin, gap.name);
-  EXPECT_LE(gap.minimal.scene.triangles.size(), 4U);
-  CoverageCounts counts(gap.minimal.scene.width, gap.minimal.scene.height);
-  DrawOnto(subject, gap.minimal.scene, gap.minimal.options, counts);
-  EXPECT_GT(Compare(counts, exact::Coverage(gap.minimal.scene, gap.minimal.profile)).missing, 0U);
+  const std::vector<Cell> survey = SurveyOf(subject, "triangulations");
+  EXPECT_GT(survey[kGaps].wrong_samples, 0U);
+  EXPECT_EQ(survey[kOverlaps].wrong_samples, 0U);
+  const Case& gap = *survey[kGaps].Worst();
+  EXPECT_EQ(ParseCaseName(gap.origin).domain, "triangulations");
+  CoverageCounts counts(gap.scene.width, gap.scene.height);
+  DrawOnto(subject, gap.scene, gap.options, counts);
+  EXPECT_GT(Compare(counts, exact::Coverage(gap.scene, Profile{})).missing, 0U);
 }
 
-TEST(Survey, NamesTheFirstCaseSoThatItIsDrawnAgain) {
+TEST(Survey, NamesTheWorstCaseSoThatItIsDrawnAgain) {
   FakeSubject subject = testing::Inclusive(RealInfo());
-  SurveyPlan plan;
-  plan.model = subject.Info().profile;
-  plan.cases = 60;
-  plan.shrink_budget = 0;
-  const DomainSurvey survey = SurveyDomain(subject, "fans", plan);
-  EXPECT_GT(survey.overlaps, 0U);
-  EXPECT_EQ(survey.gaps, 0U);
-  const Finding& overlap = FindingOf(survey, Fault::kOverlap);
-  EXPECT_EQ(overlap.minimal, DrawCase(subject.Info(), ParseCaseName(overlap.name)));
+  const std::vector<Cell> survey = SurveyOf(subject, "fans");
+  EXPECT_GT(survey[kOverlaps].wrong_samples, 0U);
+  EXPECT_EQ(survey[kGaps].wrong_samples, 0U);
+  const Case& overlap = *survey[kOverlaps].Worst();
+  EXPECT_EQ(overlap, DrawCase(subject.Info(), ParseCaseName(overlap.origin)));
 }
 
 TEST(Survey, CountsGapsAndOverlapsWhateverTieRuleTheModelHas) {
@@ -108,26 +104,24 @@ TEST(Survey, CountsGapsAndOverlapsWhateverTieRuleTheModelHas) {
   plan.model = subject.Info().profile;
   plan.model.tie_rule = {.inclusive = true};
   plan.cases = 60;
-  const DomainSurvey survey = SurveyDomain(subject, "triangulations", plan);
-  EXPECT_EQ(survey.wrong, 0U);
-  EXPECT_EQ(survey.meshes, 60U);
-  EXPECT_GT(survey.overlaps, 0U);
+  const std::vector<Cell> survey = SurveyDomain(subject, "triangulations", plan);
+  EXPECT_EQ(survey[kModel].wrong, 0U);
+  EXPECT_EQ(survey[kGaps].cases, 60U);
+  EXPECT_GT(survey[kOverlaps].wrong_samples, 0U);
 }
 
-TEST(Survey, CountsWrongSamplesOfSingleTriangles) {
+TEST(Survey, MeasuresHowFarWrongSamplesLieFromAnEdge) {
   FakeSubject subject = testing::DropsLastColumn(RealInfo());
-  const DomainSurvey survey = SurveyOf(subject, "uniform-subpixel");
-  EXPECT_GT(survey.wrong, 0U);
-  EXPECT_EQ(FindingOf(survey, Fault::kWrong).minimal.scene.triangles.size(), 1U);
+  const std::vector<Cell> survey = SurveyOf(subject, "uniform-subpixel");
+  EXPECT_GT(survey[kModel].wrong_samples, 0U);
+  EXPECT_GT(survey[kModel].furthest, 0);
 }
 
 TEST(Survey, FindsACallThatIsNotTheSumOfItsTriangles) {
   FakeSubject subject = Draws(RealInfo(), [](Scene& scene) {
     if (scene.triangles.size() > 1) scene.triangles.pop_back();
   });
-  const DomainSurvey survey = SurveyOf(subject, "axis-aligned");
-  EXPECT_GT(survey.Faulty(Fault::kBatch), 0U);
-  EXPECT_EQ(FindingOf(survey, Fault::kBatch).minimal.scene.triangles.size(), 2U);
+  EXPECT_GT(SurveyOf(subject, "axis-aligned")[kBatch].wrong, 0U);
 }
 
 TEST(Survey, FindsOverlapsOfASubjectThatShowsNoCounts) {
@@ -141,42 +135,40 @@ TEST(Survey, FindsOverlapsOfASubjectThatShowsNoCounts) {
                         for (std::size_t k = 0; k < drawn.size(); ++k)
                           counts.front[k] = std::min(drawn.Count(k), 1U);
                       });
-  const DomainSurvey survey = SurveyOf(subject, "fans");
-  EXPECT_GT(survey.overlaps, 0U);
-  EXPECT_EQ(survey.Faulty(Fault::kBatch), 0U);
+  const std::vector<Cell> survey = SurveyOf(subject, "fans");
+  EXPECT_GT(survey[kOverlaps].wrong_samples, 0U);
+  EXPECT_EQ(survey[kBatch].wrong, 0U);
 }
 
 TEST(Survey, KeepsTheCaseOfACrashAndGivesTheDomainUpAtTheFourth) {
   FakeSubject subject = testing::Throwing(RealInfo());
-  const DomainSurvey survey = SurveyOf(subject, "covering-fans");
-  EXPECT_EQ(survey.Faulty(Fault::kEnd), 4U);
-  const Finding& crash = FindingOf(survey, Fault::kEnd);
-  EXPECT_FALSE(crash.end.empty());
-  EXPECT_EQ(crash.minimal.scene.triangles.size(), 1U);
+  const Cell crashes = SurveyOf(subject, "covering-fans")[kModel];
+  EXPECT_EQ(crashes.ended, 4U);
+  EXPECT_FALSE(crashes.why.empty());
+  EXPECT_EQ(ParseCaseName(crashes.Worst()->origin).index, 0U);
 }
 
 TEST(Survey, CountsRefusalsApart) {
   FakeSubject subject(RealInfo(), [](const Scene&, const DrawOptions&, CoverageCounts&) {
     throw SubjectStop(Stop::kRefused, "it is not drawn");
   });
-  const DomainSurvey survey = SurveyOf(subject, "fans");
-  EXPECT_EQ(survey.refused, 60U);
-  EXPECT_EQ(survey.cases, 0U);
-  EXPECT_TRUE(survey.findings.empty());
+  const Cell refused = SurveyOf(subject, "fans")[kModel];
+  EXPECT_EQ(refused.refused, 60U);
+  EXPECT_EQ(refused.cases, 0U);
 }
 
 TEST(Survey, DoesNotCompareWhatTheProfileSaysNothingOf) {
   SubjectInfo info = SnappedInfo(8);
   info.profile.guard_band = WindowBox{-64, -64, 64, 64};
   FakeSubject subject = testing::Sound(info);
-  const DomainSurvey survey = SurveyOf(subject, "covering-fans");
-  EXPECT_GT(survey.unjudged, 0U);
-  EXPECT_EQ(survey.cases + survey.unjudged, 60U);
+  const Cell survey = SurveyOf(subject, "covering-fans")[kModel];
+  EXPECT_GT(survey.excused, 0U);
+  EXPECT_EQ(survey.cases + survey.excused, 60U);
 }
 
 TEST(Survey, DrawsNothingOfADomainThatTheSubjectCannotBeGiven) {
   FakeSubject subject = testing::Sound(RealInfo());
-  EXPECT_EQ(SurveyOf(subject, "perspective").cases, 0U);
+  EXPECT_EQ(SurveyOf(subject, "perspective")[kModel].cases, 0U);
 }
 
 }  // namespace

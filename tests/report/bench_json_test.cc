@@ -57,7 +57,7 @@ TEST(BenchJson, FaultsNamePlaceAndRemedy) {
            std::pair<std::string, std::string>{"{}", "rasterproof bench --json"},
            {"[]", "bench.json"},
            {WithChanged("\"rasterproof_bench\": 3", "\"rasterproof_bench\": 2"),
-            "measure again by rasterproof bench --json"},
+            "measure again with rasterproof bench --json"},
            {WithChanged("\"family\":\"small\"", "\"family\":\"smal\""), "rows[0].family"},
            {WithChanged("\"baseline\": \"f32-incremental\"", "\"baseline\": \"f32\""),
             "families[0].baseline"},

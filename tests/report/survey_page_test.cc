@@ -14,21 +14,20 @@ namespace {
 
 // Of one domain it refused all cases.
 constexpr std::string_view kSurvey = R"({
-"rasterproof_survey": 4, "subject": "NAME", "summary": "a library", "seed": 1, "stated": "vulkan",
-"model": {"profile": "real", "text": "8 bits", "wrong": 9, "samples": 307, "experiments": 12,
-          "remark": "no model fits"},
+"rasterproof_comparison": 1, "seed": 7, "cases": 101, "what": "domains", "one": "domain",
+"yardsticks": ["nearest model", "gaps"],
 "domains": [
-  {"domain": "near-edge", "near_limits": false, "cases": 0, "refused": 5, "unjudged": 0,
-   "meshes": 0, "triangles": 0, "samples": 0, "wrong": 0, "gaps": 0, "overlaps": 0,
-   "subject_seconds": 0, "alone_seconds": 0, "seconds": 0,
-   "faulty_cases": {"wrong": 0, "gap": 0, "overlap": 0, "batch": 0, "end": 0}, "findings": []},
-  {"domain": "fans", "near_limits": true, "cases": 101, "refused": 102, "unjudged": 103,
-   "meshes": 104, "triangles": 105, "samples": 106, "wrong": 107, "gaps": 108, "overlaps": 109,
-   "subject_seconds": 0.25, "alone_seconds": 0.25, "seconds": 2,
-   "faulty_cases": {"wrong": 110, "gap": 111, "overlap": 112, "batch": 113, "end": 114},
-   "findings": [{"fault": "end", "name": "fans:17@1", "end": "signal 11", "case": {"scene": {
-      "rasterproof_scene": 1, "width": 7, "height": 9, "precision": "float64",
-      "vertices": [["0x1.8p-4", 0], [1, 0], [0, 1]], "triangles": [[0, 1, 2]]}}}]}]})";
+  {"name": "near-edge", "summary": "", "theme": "in range", "right": "near the target"},
+  {"name": "fans", "summary": "", "theme": "near its limits", "right": "far out"}],
+"subjects": [{"subject": "NAME", "nearest_model": "8 bits", "fit": "no model fits", "cells": [
+  {"domain": "near-edge", "nearest_model": {"state": "excused", "cases": 0, "wrong": 0, "ended": 0,
+     "worst_pixels": 0, "worst_case": "", "excused": 5, "why": "it is too long"},
+   "gaps": {"state": "tested", "cases": 3, "wrong": 0, "ended": 0, "worst_pixels": 0,
+     "worst_case": "", "excused": 0, "why": ""}},
+  {"domain": "fans", "nearest_model": {"state": "fails", "cases": 100, "wrong": 25, "ended": 0,
+     "worst_pixels": 0.25, "worst_case": "fans:17@7", "excused": 0, "why": ""},
+   "gaps": {"state": "fails", "cases": 4, "wrong": 4, "ended": 4, "worst_pixels": "inf",
+     "worst_case": "fans:3@7", "excused": 0, "why": "signal 11"}}]}]})";
 
 std::string Changed(std::string_view from, std::string_view to) {
   std::string text(kSurvey);
@@ -55,40 +54,19 @@ bool PageHas(std::string_view text, std::string_view what) {
   return text.find(what) != std::string_view::npos;
 }
 
-TEST_F(SurveySectionTest, ShowsEveryCountAndCase) {
+TEST_F(SurveySectionTest, ShowsEveryCellAndCase) {
   const std::string html = Of(kSurvey);
-  for (int count = 101; count <= 114; ++count) {
-    EXPECT_TRUE(PageHas(html, ">" + std::to_string(count) + "</td>")) << count;
-  }
-  // Of the sum: wrong in range and near limits, refused, triangles a second, ours of the time.
-  for (const char* said : {">0</td><td class=\"number wrong\">107</td>", ">107</td>", ">420</td>",
-                           ">75 %</td>", ">NAME<", ">a library<", ">preset vulkan<", ">8 bits<",
-                           ">9 of 307<", ">no model fits<", ">near its limits<", ">in range<",
-                           ">fans:17@1: end signal 11<", ">target 7 x 9\n(0x1.8p-4, 0x0p+0)"}) {
+  for (const char* said :
+       {">NAME<", "nearest model: 8 bits", "fit: no model fits", ">near-edge<", "far out", ">25 %<",
+        "fails 25 of 100", "0.25 px, fans:17@7", "broke down, fans:3@7: signal 11",
+        "it is too long", "nearest model, gaps", "(seed 7)"}) {
     EXPECT_TRUE(PageHas(html, said)) << said;
   }
 }
 
-TEST_F(SurveySectionTest, SaysWhereNoModelIsWrongAndWhereNoneWasFound) {
-  EXPECT_TRUE(PageHas(
-      Of(Changed("\"samples\": 307, \"experiments\": 12,\n          \"remark\": \"no model fits\"",
-                 "\"samples\": 0, \"experiments\": 12, \"remark\": \"\"")),
-      ">0, in 12 draws<"));
-  EXPECT_TRUE(PageHas(Of(Changed("307", "0")), ">not found<"));
-  EXPECT_TRUE(
-      PageHas(Of(Changed("\"vulkan\"", R"({"name": "a", "contract": "none"})")), ">none, |x|"));
-}
-
-TEST_F(SurveySectionTest, OfASubjectThatRefusedEverythingThereAreNoTimes) {
-  std::string text(kSurvey);
-  const std::size_t last = text.find(",\n  {\"domain\": \"fans\"");
-  const std::string html = Of(text.replace(last, std::string::npos, "]}"));
-  EXPECT_TRUE(PageHas(html, "<td class=\"number\">–</td><td class=\"number\">–</td></tr>"));
-}
-
 TEST_F(SurveySectionTest, EscapesWhatOthersNamed) {
   for (const char* name :
-       {"NAME", "a library", "8 bits", "no model", "near-edge", "fans:17@1", "signal 11"}) {
+       {"NAME", "8 bits", "no model", "fans:17@7", "signal 11", "it is too long", "far out"}) {
     const std::string html = Of(Changed(name, "<img src=x>"));
     EXPECT_FALSE(PageHas(html, "<img")) << name;
     EXPECT_TRUE(PageHas(html, "&lt;img")) << name;
@@ -101,8 +79,7 @@ TEST_F(SurveySectionTest, ShowsAllOfTheFolderByNameAndWhoIsAbsent) {
   Put("b.json", Changed("NAME", "second"));
   Put("absent.txt", "subject c: gone\n");
   const std::string html = Of(Changed("NAME", "first"));
-  EXPECT_LT(html.find("href=\"#survey-0\">first<"), html.find("href=\"#survey-1\">second<"));
-  EXPECT_TRUE(PageHas(html, "id=\"survey-1\""));
+  EXPECT_LT(html.find(">first<"), html.find(">second<"));
   EXPECT_TRUE(PageHas(html, "subject c: gone"));
 }
 
@@ -111,10 +88,12 @@ TEST_F(SurveySectionTest, RefusesWhatIsNoSurvey) {
   EXPECT_THROW(SurveySection(folder_ + "/none"), InputError);
   for (const std::string& other :
        {std::string("{}"), std::string(kSurvey.substr(0, kSurvey.size() / 2)),
-        Changed("survey\": 4", "survey\": 3"), Changed("remark", "mark"),
-        Changed("\"gaps\": 108", "\"gaps\": -1"), Changed("[0, 1, 2]", "[0, 1, 3]")}) {
+        Changed("comparison\": 1", "comparison\": 2"), Changed("\"why\"", "\"because\""),
+        Changed("\"wrong\": 25", "\"wrong\": -1"), Changed("\"gaps\"],", "\"holes\"],")}) {
     EXPECT_THROW(Of(other), InputError) << other;
   }
+  Put("b.json", Changed("\"near-edge\", \"summary\"", "\"grids\", \"summary\""));
+  EXPECT_THROW(Of(kSurvey), InputError);
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ def catalogue(seed):
             "mixed-w": cell("excused", cases=0), "tiny": cell("exhausted", cases=81),
             "pairs": cell("fails", 7, 81)}  # fmt: skip
     return {
-        "rasterproof_catalogue": 1, "seed": seed, "cases": 100,
+        "rasterproof_comparison": 1, "seed": seed, "cases": 100,
         "families": [{"name": name, "theme": "small worlds" if name in ("tiny", "pairs") else "it"}
                      for name in rows],
         "subjects": [{"subject": "it", "cells": [
@@ -101,7 +101,7 @@ class CataloguesTest(unittest.TestCase):
     def test_a_file_that_lies_or_is_no_catalogue_is_refused(self):
         lying, unknown = catalogue(2), catalogue(2)
         lying["subjects"][0]["cells"][1]["own_model"]["wrong"] = 3
-        unknown["rasterproof_catalogue"] = 2
+        unknown["rasterproof_comparison"] = 2
         for text, message in (
             (lying, "grids of it, own model, can't be tested with 3 of 100 cases wrong."),
             (unknown, "is a catalogue of another version than 1."),

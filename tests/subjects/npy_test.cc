@@ -82,7 +82,7 @@ TEST(Npy, RefusesWhatIsNoSuchArrayAndSaysWhatItIs) {
   };
   EXPECT_EQ(WhyNone(Saved("|u1", "(1, 2, 1)", "\x01\x02"), {{1, 2}, {1, 2, 1}}), "");
   says(Saved("|u1", "(2, 1)", "\x01\x02"), "has shape (2, 1), not (1, 2)");
-  says(Saved("|u1", "(2, 1)", "\x01\x02", "True"), "column by column");
+  says(Saved("|u1", "(2, 1)", "\x01\x02", "True"), "column-major");
   says(Saved("<f8", "(1, 2)", std::string(16, '\0')), "numbers of type \"<f8\"");
   says(Saved(">i4", "(1, 2)", std::string(8, '\0')), "little-endian");
   says(Saved("|u1", "(1, 2)", "\x01"), "ends within an array");

@@ -191,11 +191,12 @@ TEST(ProcessSubject, WaitsNoLongerThanItsDeadline) {
   ProcessSubject subject(Pausing("sleep 1000"), Info(), {.seconds = 1000});
   subject.SetDeadline(ProcessSubject::Clock::now() + std::chrono::milliseconds(50));
   const std::string said = SaidOf(subject);
-  EXPECT_TRUE(said.starts_with("slow: its time")) << said;
-  EXPECT_TRUE(SaidOf(subject).starts_with("slow: its time")) << "it is over for what follows, too";
+  EXPECT_TRUE(said.starts_with("slow: it ran out of time")) << said;
+  EXPECT_TRUE(SaidOf(subject).starts_with("slow: it ran out of time"))
+      << "it is over for what follows, too";
   ProcessSubject quick(Pausing(":"), Info());
   quick.SetDeadline(ProcessSubject::Clock::now());
-  EXPECT_TRUE(SaidOf(quick).starts_with("slow: its time"));
+  EXPECT_TRUE(SaidOf(quick).starts_with("slow: it ran out of time"));
   quick.SetDeadline(ProcessSubject::Clock::time_point::max());
   EXPECT_EQ(SaidOf(quick), "");
 }

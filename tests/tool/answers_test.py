@@ -79,7 +79,7 @@ class PipesLaidByHand(unittest.TestCase):
                 file.write("print('Mine 1.0', flush=True)\nimport sys\nsys.stdin.read()\n")
             done = run("check", "--exec", f"{sys.executable} {greets}", "--cases", "3")
         self.assertEqual(done.returncode, 2, done.stdout)
-        self.assertIn(b'its first line is "Mine 1.0", not "counts 1"; standard output is for',
+        self.assertIn(b'its first line is "Mine 1.0", not "counts 1"; write only',
                       done.stderr)  # fmt: skip
 
     def test_more_answers_than_requests_are_reported_by_their_line(self):

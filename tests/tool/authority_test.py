@@ -158,7 +158,7 @@ class AuthorityTest(unittest.TestCase):
         for profile in ("vulkan-canonical", "real"):
             status, _, error = self.joint(profile, "--device")
             self.assertEqual(status, 2)
-            self.assertIn(f"profile {profile} is no specification's legal set", error)
+            self.assertIn(f"profile {profile} is not a specification's legal set", error)
         status, _, error = run("check", "--subject", "i32-snap4", "--device")
         self.assertEqual(status, 2)
         self.assertIn("give --profile d3d11, vulkan, gl or webgpu", error)

@@ -278,7 +278,7 @@ class Bench(unittest.TestCase):
     def test_names_and_times_that_are_none_are_refused(self):
         for arguments, words in (
             (("--family", "tie"), "choose of px5, px100"),
-            (("--subject", "f32"), "no method that bench draws"),
+            (("--subject", "f32"), "bench has no such method"),
             (("--budget", "soon"), "give seconds or minutes"),
             (("--budget", "-3s"), "give seconds or minutes"),
             (("--scene", "scenes/none.json"), "none.json"),

@@ -70,13 +70,13 @@ class Causes(unittest.TestCase):
         about = ("mutant:snap-truncates", "--property", MODEL, "--cause-seconds")
         done = check(*about, "0.001")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("the search for causes was cut short", done.stdout)
-        self.assertIn("--cause-seconds gives it more time", done.stdout)
+        self.assertIn("the search for causes ran out of time", done.stdout)
+        self.assertIn("raise --cause-seconds", done.stdout)
         for bad in ("0", "-1", "nan", "inf", "soon"):
             done = check(*about[:-1], f"--cause-seconds={bad}")
             self.assertEqual(done.returncode, 2, done.stdout)
             self.assertEqual(done.stdout, "")
-            self.assertIn(f"--cause-seconds {bad}: it is no time", done.stderr)
+            self.assertIn(f"--cause-seconds {bad}: it is not a time", done.stderr)
         done = check(*about, "9", "--no-cause")
         self.assertEqual(done.returncode, 2, done.stdout)
 

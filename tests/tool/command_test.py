@@ -63,14 +63,14 @@ class InferTest(TemporaryFolder):
         text = run("infer", *subject).stdout.decode()
         first = text.splitlines()[0]
         self.assertIn(": 8 subpixel bits, nearest-even", first)
-        self.assertTrue(first.endswith("; differs in no sample, but in what was aimed at it: "
-                                       "no model fits"), first)  # fmt: skip
+        self.assertTrue(first.endswith("; differs in no sample of random draws, only in "
+                                       "an aimed one: no model fits"), first)  # fmt: skip
         rounded = run("infer", "--subject", "f32-direct").stdout.decode().splitlines()[0]
         self.assertRegex(rounded, r"^f32-direct: no grid; .*; differs in 0\.0\d+ % of samples: "
                                   r"no model fits$")
         self.assertRegex(text, r"(?m)^last refuted     .*, by the draw of \(.*\) on \d+x\d+$")
-        self.assertIn(" 0 of 307200 samples, 0 of 1200 draws, where nothing is aimed", text)
-        case, _, replay = text.partition("a case that it draws in another way:\n")[2].partition(
+        self.assertIn(" 0 of 307200 samples, 0 of 1200 draws, drawn at random", text)
+        case, _, replay = text.partition("a case that it draws differently:\n")[2].partition(
             "replay: save it as case.json, then: rasterproof ")
         self.assertEqual(run("replay", self.write(case, "case.json"), *subject).returncode, 1, case)
         self.assertEqual(replay, "replay case.json " + " ".join(subject) + "\n")

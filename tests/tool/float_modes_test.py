@@ -96,7 +96,8 @@ class FloatModes(unittest.TestCase):
     def test_what_can_not_be_asked_says_what_to_do(self):
         unknown = compare("--subject", "f32-direct", modes="ftz,fast")
         self.assertEqual(unknown.returncode, 2)
-        self.assertIn("'fast' is no floating-point mode; give some of ftz", unknown.stderr)
+        self.assertIn("'fast' is not a floating-point mode; give a comma-separated list of ftz",
+                      unknown.stderr)  # fmt: skip
         program = compare("--exec", "cat", modes="ftz")
         self.assertEqual(program.returncode, 2)
         self.assertIn("give it as a plugin", program.stderr)

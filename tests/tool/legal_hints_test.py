@@ -107,14 +107,14 @@ class LegalHintsTest(LegalCase):
         rows = self.drawn("vulkan-canonical")
         counts = self.as_text(rows)
         picture = self.write("image.png", png([[255 * bool(n) for n in row] for row in rows]))
-        once = "covered or not; a sample covered twice is not seen"
+        once = "covered or not; double coverage is not seen"
         for drawing, told in (
                 ((picture,), once + ": give counts (or --ids)"),
                 ((counts,), "counts; facings are not seen"),
                 ((counts, "--ids"), "ids: each covers its sample; which of several triangles is on "
                                     "top is not judged"),
-                ((counts, "--ids", "--visible", "last"), "ids, of several triangles that of the "
-                                                         "last one"),
+                ((counts, "--ids", "--visible", "last"), "ids; of several triangles, the last "
+                                                         "one's"),
                 (("--subject", "i64-snap8"), "counts and facings"),
                 (("--subject", "legal:vulkan-farthest-mask"), once)):
             done = run("legal", self.scene, *drawing, "--profile", "vulkan", "--json",

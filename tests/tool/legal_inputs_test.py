@@ -84,7 +84,7 @@ class LegalFacingsTest(LegalCase):
         self.refused("legal", self.scene, picture, "--profile", "vulkan", "--facings", none,
                      names=["--facings", "not how often", "--counts"])
         self.refused("legal", self.scene, "--subject", "i64-snap8", "--profile", "vulkan",
-                     "--facings", none, names=["--facings", "its own facings"])
+                     "--facings", none, names=["--facings", "their own facings"])
 
     def test_a_list_has_facings_beside_its_images(self):
         self.rows("counts.txt", self.drawn("vulkan-canonical"))
@@ -193,7 +193,7 @@ class SavedCoreTest(LegalCase):
         self.refused("legal", self.write("culls.json", json.dumps(culls)),
                      names=["culls.json", "culls or has a scissor", "replay"])
         del case["drawing"]
-        self.refused("legal", self.write("case.json", json.dumps(case)), names=["one drawing"])
+        self.refused("legal", self.write("case.json", json.dumps(case)), names=["no drawing"])
 
 
 if __name__ == "__main__":

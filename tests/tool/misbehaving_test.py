@@ -134,19 +134,19 @@ class Misbehaving(unittest.TestCase):
         # Whether it has begun to speak when it is first asked is a matter of time.
         status, text = self.start("greets").end()
         self.assertEqual(status, 2, text)
-        self.assertRegex(text, r"(spoke before it was asked:|its first line is) "
+        self.assertRegex(text, r"(printed before it was asked:|its first line is) "
                                r'"hello\\x00\\x1b\[31m"')  # fmt: skip
 
     def test_answers_that_nobody_asked_for_are_reported_as_such(self):
-        self.expect("says-more", 1, "it said more than its answer")
-        self.expect("answers-ahead", 1, "it said more than its answer")
+        self.expect("says-more", 1, "it printed more than its answer")
+        self.expect("answers-ahead", 1, "it printed more than its answer")
 
     def test_answers_without_an_end_are_reported_as_such(self):
         # Whether the second one is there when the first one was read is a matter of time.
         run = self.start("floods-lines")
         status, text = run.end()
         self.assertIn(status, (1, 4), text)
-        self.assertRegex(text, "it said more than|left over from an earlier answer")
+        self.assertRegex(text, "it printed more than|left over from an earlier answer")
         self.assertEqual(run.left(), [])
 
     def test_a_refusal_is_neither_good_nor_bad(self):
@@ -347,7 +347,7 @@ class DoesNotRun(unittest.TestCase):
         for begin, at_each, words in (
             ("sys.exit('there is no module seen')", "pass", b"there is no module seen"),
             ("pass", "raise ValueError('no such word')", b"ValueError: no such word"),
-            ("sys.exit(0)", "pass", b"without a word"),
+            ("sys.exit(0)", "pass", b"with nothing"),
         ):
             for more in (("--property", DEGENERATE), ()):
                 with self.subTest(begin=begin, more=more):
@@ -357,7 +357,7 @@ class DoesNotRun(unittest.TestCase):
                     self.assertEqual(done.stderr.count(b"before its first answer"), 1, done.stderr)
                     last = done.stderr[done.stderr.index(b"before its first answer"):]
                     self.assertIn(words, last)
-                    self.assertIn(b"reads requests from standard input", last)
+                    self.assertIn(b"read requests from standard input", last)
 
     def test_a_program_that_ends_over_a_scene_or_by_a_signal_is_a_finding(self):
         for begin, at_each, words in (
@@ -413,7 +413,7 @@ class Start(unittest.TestCase):
             with open(path) as file:
                 said = "\n".join(scene["message"] for scene in json.load(file)["measured"])
         self.assertEqual(said.count("it hangs: "), 1, said)
-        self.assertIn("the short time that a scene gets", said)
+        self.assertIn("after a hang, scenes get less", said)
 
     def test_a_full_standard_error_ends_nothing(self):
         with open("/dev/full", "wb") as full:

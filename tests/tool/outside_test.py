@@ -149,7 +149,7 @@ class MeshProperties(unittest.TestCase):
         for verb in ("ask", "judge"):
             done = self.checked(verb, "unused", profile, takes="window", data=b"")
             self.assertEqual(done.returncode, 4, done.stderr)
-            self.assertIn(b"an exclusive tie rule covers shared edges never", done.stderr)
+            self.assertIn(b"an exclusive tie rule never covers shared edges", done.stderr)
 
 
 class FaultySubjects(unittest.TestCase):
@@ -268,7 +268,7 @@ class Outputs(unittest.TestCase):
 
     def test_a_primitive_id_that_the_scene_does_not_have_is_a_finding(self):
         text = self.check("NO_ID", [MODEL], status=1)
-        self.assertIn("triangle 100000 is visible at a sample, of a scene of 1 triangles", text)
+        self.assertIn("triangle 100000 as visible at a sample, in a scene of 1 triangles", text)
 
 
 class FirstSteps(unittest.TestCase):
@@ -290,7 +290,7 @@ class FirstSteps(unittest.TestCase):
             done = run("check", "--exec", f"{sys.executable} {path}", "--property", MODEL,
                        "--cases", "3")  # fmt: skip
             self.assertEqual(done.returncode, 1)
-            self.assertIn(b"it said more than its answer", done.stdout)
+            self.assertIn(b"it printed more than its answer", done.stdout)
             self.assertIn(b"facing-counts", done.stdout)
 
     def test_a_scene_behind_a_plugin_is_a_scene(self):
@@ -457,8 +457,8 @@ class BadNames(unittest.TestCase):
     def test_a_program_that_is_none(self):
         self.check("coverage", SCENE, "--exec", "./no-such-program", words=["no-such-program"])
         self.check("check", "--exec", "./nothing -x", words=["no program ./nothing"])
-        self.check("check", "--exec", "./README.md", words=["./README.md is no program", "chmod"])
-        self.check("check", "--exec", "./tests", words=["./tests is no program"])
+        self.check("check", "--exec", "./README.md", words=["README.md is not a program", "chmod"])
+        self.check("check", "--exec", "./tests", words=["./tests is not a program"])
 
     def test_a_subject_file_that_is_none(self):
         self.check("coverage", SCENE, "--subject", "no.subject", words=["no.subject"])
@@ -480,11 +480,11 @@ class BadNames(unittest.TestCase):
                 ("command true\ncoverage primitive-id\nvisible all\n", "first-drawn"),
                 ("command true\ntakes tiles\n", "neither window nor clip"),
                 ("command true\nprotocol 4\n", "does not speak version '4' of the protocol"),
-                ("command true\ninput fixed 12 signed\n", "line 2: the fixed-point format is not"),
+                ("command true\ninput fixed 12 signed\n", "format is malformed"),
                 ("command true\ninput fixed 32.4 signed\n", "N from 1 to 31"),
-                ("command true\ninput fixed 12.4\n", "whether the fixed-point format is signed"),
+                ("command true\ninput fixed 12.4\n", "the fixed-point format lacks its sign"),
                 ("command true\ninput fixed 12.4 signed wraps\n", "'wraps' is not known"),
-                ("command true\ninput fixed 12.4 signed\ntakes clip\n", "takes clip space"),
+                ("command true\ninput fixed 12.4 signed\ntakes clip\n", "take clip space"),
                 ('command true\ninput fixed 12.4 signed\nprofile {"name": "p", "fixed": '
                  '{"integer_bits": 11, "fraction_bits": 4}}\n', "different fixed-point formats"),
             ):

@@ -172,7 +172,7 @@ class RoundsTest(unittest.TestCase):
         again = shrink.ask()
         self.assertEqual((first.returncode, again.returncode), (4, 4))
         self.assertIn("round-1.answers", first.stdout)
-        self.assertIn("round-1.answers is not there yet", again.stdout)
+        self.assertIn("round-1.answers is missing", again.stdout)
         with open(shrink.path(1, "requests"), encoding="utf-8") as file:
             self.assertEqual(file.read(), requests)
 
@@ -232,9 +232,9 @@ class RoundsTest(unittest.TestCase):
     def test_answers_before_their_requests_are_refused(self):
         self.describe("inclusive")
         shrink = self.shrink()
-                with open(shrink.path(1, "answers"), "w", encoding="utf-8") as file:
+        with open(shrink.path(1, "answers"), "w", encoding="utf-8") as file:
             file.write("counts 1\n")
-        self.assert_refused(shrink.ask(), "it is there before anything was asked")
+        self.assert_refused(shrink.ask(), "it exists before anything was asked")
 
     def test_a_program_that_changes_its_answers_is_inconclusive(self):
         self.describe("inclusive")
@@ -257,7 +257,7 @@ class RoundsTest(unittest.TestCase):
         self.describe()
         verb = self.shrink()
         verb.command[verb.command.index(PROPERTY)] = "EqualDrawsGiveEqualCounts"
-        self.assert_refused(verb.ask(), "it is about what one call leaves to the next")
+        self.assert_refused(verb.ask(), "it needs a sequence of calls")
 
 
 if __name__ == "__main__":

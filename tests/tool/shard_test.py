@@ -145,10 +145,10 @@ class TheSameBytes(Parts):
 class Refused(Parts):
     def test_holes_and_overlaps(self):
         shards = [self.part("--shard", f"{k}/3") for k in (1, 2, 3)]
-        self.refused(self.merge(*shards[:2]), "part-2-of-3.json", "shard 3 of 3 is in none",
+        self.refused(self.merge(*shards[:2]), "part-2-of-3.json", "shard 3 of 3 is missing",
                      "--shard 3/3")  # fmt: skip
         self.refused(self.merge(shards[0], shards[2]), "part-1-of-3.json", "shard 2 of 3")
-        self.refused(self.merge(shards[2]), "part-3-of-3.json", "shards 1, 2 of 3 are in none",
+        self.refused(self.merge(shards[2]), "part-3-of-3.json", "shards 1, 2 of 3 are missing",
                      "run each (--shard 1/3, --shard 2/3)")  # fmt: skip
         self.refused(self.merge(*shards, shards[1]), "shard 2/3 is in", "part-2-of-3.json too",
                      "give one of them")  # fmt: skip
@@ -191,8 +191,8 @@ class Refused(Parts):
         self.refused(self.merge(*both), "another build of rasterproof", "by one build")
         self.refused(self.merge(one, self.changed(two, "stated", "profile gl")), "its profile")
         both = [self.changed(part, "stated", "profile gl") for part in (one, two)]
-        self.refused(self.merge(*both), "stated something else")
-        self.refused(self.merge(self.changed(one, "tests", []), two), "its properties are not")
+        self.refused(self.merge(*both), "has changed since")
+        self.refused(self.merge(self.changed(one, "tests", []), two), "it has other properties")
         self.refused(self.merge(self.changed(one, "rasterproof_part", 9), two), "version 9")
 
     def edited(self, path, edit):
@@ -227,28 +227,28 @@ class Refused(Parts):
             (lambda part: part.update(first=2**62 + 1, end=2**62 + 2), ("first",)),
             (lambda part: part.update(end=2**62 + 1), ("end",)),
             (lambda part: part.update(cases=0), ("cases",)),
-            (lambda part: part.update(seed=""), ("is no seed",)),
-            (lambda part: part.update(seed=str(2**64 + 1)), ("is no seed",)),
-            (lambda part: part.update(seed="01"), ("is no seed",)),
+            (lambda part: part.update(seed=""), ("is not a seed",)),
+            (lambda part: part.update(seed=str(2**64 + 1)), ("is not a seed",)),
+            (lambda part: part.update(seed="01"), ("is not a seed",)),
             (lambda part: part["environment"].append("odd"), ("has no value",)),
             (of_test(cases=0, cases_exercised=0, exercised=0), ("more cases than were run",)),
-            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("domains are listed",)),
+            (of_test(cases=0, cases_exercised=0, exercised=0, domains=[]), ("it lists",)),
             (of_test(end="not applicable"), ("not applicable, with 10 cases run",)),
             (of_test(end="failed"), ("found",)),
             (of_test(cases_exercised=11), ("of 10 cases",)),
-            (of_test(exercised=2**62), ("no count that any run reaches",)),
+            (of_test(exercised=2**62), ("no run can reach a count",)),
             (of_test(cases_refused=11), ("refused",)),
             (of_test(refused_within_limits=1), ("refused",)),
             (of_test(not_applicable=11), ("not applicable",)),
-            (of_test(places=[]), ("every place",)),
+            (of_test(places=[]), ("wrong number of entries",)),
             (of_test(places=[{"asked": 1, "refused": 2}] * 10), ("kind of place",)),
             (of_test(worst_ratio="nan"), ("error",)),
-            (of_test(domains=[]), ("domains are listed",)),
+            (of_test(domains=[]), ("it lists",)),
             (of_domain(drawn=2**63 - 1), ("more cases than were run",)),
             (of_domain(on_edge=2**40), ("more of its samples lie near edges",)),
             # Nothing contradicts it; it is not what was written.
-            (of_test(seconds="0x1p+0"), ("another digest",)),
-            (lambda part: part.update(digest="0" * 16), ("another digest",)),
+            (of_test(seconds="0x1p+0"), ("its digest differs",)),
+            (lambda part: part.update(digest="0" * 16), ("its digest differs",)),
         ):
             with self.subTest(words=words):
                 done = self.merge(self.edited(part, edit))
@@ -271,15 +271,15 @@ class Refused(Parts):
             (lambda part: found(part)["witness"].update(x=10**6), "its witness is pixel"),
             (lambda part: found(part)["witness"].update(sample=-1), "its witness is sample"),
             (seen("two"), "is a string, not an array"),
-            (seen([True]), "neither words nor a number"),
-            (seen([{"back": 1}]), "neither words nor a number"),
+            (seen([True]), "not a value of a witness"),
+            (seen([{"back": 1}]), "not a value of a witness"),
             (seen([{"front": 1}]), '"back" is missing'), (seen([{"counts": [64]}]), "out of range"),
             (seen([{"double": "2"}]), "observed[0].double"), (seen([1.5]), "is not an integer"),
-            (seen([{"rational": "1/x"}]), "is no rational number"),
-            (seen(["front 1, back 0"]), "another digest"),
-            (lambda part: found(part).update(outcome="holds"), "the outcome is that it holds"),
-            (lambda part: found(part).update(said_outcome="holds"), "not that it is violated"),
-            (lambda part: found(part).update(message="fine"), "another digest"),
+            (seen([{"rational": "1/x"}]), "is not a rational number"),
+            (seen(["front 1, back 0"]), "its digest differs"),
+            (lambda part: found(part).update(outcome="holds"), "but its outcome is 'holds'"),
+            (lambda part: found(part).update(said_outcome="holds"), "not said to violate it"),
+            (lambda part: found(part).update(message="fine"), "its digest differs"),
         ):
             with self.subTest(words=words):
                 self.refused(self.merge(self.edited(part, edit), subject=subject), words)
@@ -297,14 +297,14 @@ class Refused(Parts):
 
     def test_options_that_a_part_does_not_take(self):
         for arguments, words in (
-            (("--shard", "1/2", "--seconds", "1"), "takes no --seconds"),
+            (("--shard", "1/2", "--seconds", "1"), "does not take --seconds"),
             (("--shard", "1/2", "--scenes", SCENES), "give it to --merge"),
             (("--shard", "1/2", "--fail-on", "quality"), "give it to --merge"),
-            (("--shard", "1/2", "--cases", "0..5"), "takes no --shard beside it"),
+            (("--shard", "1/2", "--cases", "0..5"), "does not take --shard beside it"),
             (("--cases", "0..5", "--exhaustive", "pairs-3x3"), "--shard, which cuts worlds"),
             (("--shard", "0/2"), "not a shard"), (("--shard", "3/2"), "not a shard"),
             (("--shard", "1/"), "not a shard"), (("--shard", "one"), "not a shard"),
-            (("--cases", "5..5"), "no case in it"), (("--cases", "5.."), "not two numbers"),
+            (("--cases", "5..5"), "the range is empty"), (("--cases", "5.."), "not two numbers"),
             (("--cases", "0"), "not a number of cases"), (("--cases", "1e3"), "not a number"),
         ):  # fmt: skip
             with self.subTest(arguments=arguments):
@@ -338,13 +338,13 @@ class Automatic(Parts):
 
     def test_what_is_missing_or_contradictory_is_refused(self):
         for variables, words in (
-            ({}, "no engine says which shard this is"),
+            ({}, "none of GTEST_SHARD_INDEX"),
             ({"GTEST_SHARD_INDEX": "2"}, "GTEST_TOTAL_SHARDS is not set"),
             ({"GTEST_TOTAL_SHARDS": "2"}, "GTEST_SHARD_INDEX is not set"),
             ({"OMPI_COMM_WORLD_RANK": "1"}, "OMPI_COMM_WORLD_SIZE is not set"),
             ({**GTEST, "GTEST_SHARD_INDEX": "3"}, "say shard 4 of 3"),
-            ({**GTEST, "GTEST_SHARD_INDEX": "-1"}, "is '-1', which is no count"),
-            ({**OMPI, "OMPI_COMM_WORLD_SIZE": ""}, "which is no count"),
+            ({**GTEST, "GTEST_SHARD_INDEX": "-1"}, "is '-1', not a count"),
+            ({**OMPI, "OMPI_COMM_WORLD_SIZE": ""}, "not a count"),
             ({**SLURM, "SLURM_ARRAY_TASK_ID": "25"}, "in an array from 10 in steps of 10"),
             ({**SLURM, "SLURM_ARRAY_TASK_COUNT": "2"}, "say shard 3 of 2"),
             ({**SLURM, **OMPI, "OMPI_COMM_WORLD_RANK": "1"}, "say 3/3, but"),
@@ -385,7 +385,7 @@ class Killed(Parts):
     def refused_merge(self, one):
         done = self.merge(one, out="out-refused")
         self.assertEqual(done.returncode, 2, done.stdout)
-        self.assertIn("shard 2 of 2 is in none of the files", done.stderr)
+        self.assertIn("shard 2 of 2 is missing", done.stderr)
 
     def test_an_interrupted_worker_writes_no_part(self):
         waits = os.path.join(self.folder, "waits")

@@ -239,7 +239,7 @@ class VectorsTest(unittest.TestCase):
         for changed, words in (
             ({"case": "near-edge:99999@7"}, ("line 2: case", "near-edge:99999@7")),
             ({"triangle": 99}, ("line 2: triangle",)),
-            ({}, ("line 2: triangle", "second time")),
+            ({}, ("line 2: triangle", "answered twice")),
             ({"triangle": 1, "rows": ["0"] * 65}, ("below the target",)),
             ({"triangle": 1, "rows": ["f" * 40]}, ("beyond the target's last column",)),
             ({"triangle": 1, "rows": [3]}, ("rows[0]",)),
@@ -255,7 +255,7 @@ class VectorsTest(unittest.TestCase):
             self.assertEqual(made.returncode, 0, made.stderr)
             for table in tables:
                 with self.subTest(table):
-                    self.refused(run("verify", table, good), "jsonl alone", "--format jsonl")
+                    self.refused(run("verify", table, good), "not in the", "--format jsonl")
         self.refused(run("verify", path, "--subject", "spans-exact-4x"), "subject")
 
     def test_profiles_without_single_samples_are_refused_before_anything_is_written(self):

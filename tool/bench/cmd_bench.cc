@@ -48,6 +48,7 @@
 #include "tool/progress.h"
 #include "tool/scene_source.h"
 #include "tool/shared_files.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -101,8 +102,7 @@ std::vector<io::SceneEntry> RealScenes() {
 // another package.
 std::optional<bench::FamilyInput> FromSet(const io::SceneEntry& entry, bool is_asked) {
   if (!is_asked && !std::filesystem::exists(entry.path)) {
-    fmt::print(stderr, "rasterproof: family {} is left out: there is no {}\n", entry.name,
-               entry.path);
+    fmt::print(stderr, "rasterproof: family {} left out: no file {}\n", entry.name, entry.path);
     return std::nullopt;
   }
   Scene scene = LoadScene({entry.path, entry.camera, entry.project, entry.width, entry.height});
@@ -147,9 +147,9 @@ std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& 
     const bool is_known = std::ranges::any_of(
         contenders, [&](const auto& contender) { return contender->method().name == name; });
     if (!is_known) {
-      throw InputError("--subject " + name, "it is no method that bench draws",
-                       "see the names in the table of: rasterproof bench --family ties; give a "
-                       "file that ends in .subject, or use --plugin or --exec");
+      throw InputError("--subject " + name, "bench has no such method",
+                       "'rasterproof bench --family ties' names all; for your own give a .subject "
+                       "file, --plugin or --exec");
     }
   }
   // The baselines and their twins stay: ratios are to them.
@@ -163,8 +163,8 @@ std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& 
 // The models that samples in the pixels' centres can be judged by.
 void RequireCentres(const Profile& profile, const std::string& place) {
   if (profile.pattern == SamplePattern{} && profile.by_target_size.empty()) return;
-  throw InputError(place, "its samples are not the pixels' centres",
-                   "time one that samples pixel centres, by one model for all targets");
+  throw InputError(place, "it does not sample pixel centres, by one model for all targets",
+                   "give a subject that does");
 }
 
 std::unique_ptr<Subject> ProgramOf(const std::string& name) {

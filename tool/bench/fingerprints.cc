@@ -141,8 +141,8 @@ std::string FingerprintTable(const BenchResult& result) {
     cells[{print.method, print.step}] = Counted(print);
   }
   std::string text =
-      "Places of an edge's end, of 65,536, in which a sample is not as the method's own model has "
-      "it, by the step between places:\n";
+      "Places of an edge's end, of 65,536, where a sample differs from the method's own model, by "
+      "the step between places:\n";
   std::string head = fmt::format("{:<29}{:<18}", "method", "model");
   for (const std::string& step : steps) head += fmt::format("{:>16}", step);
   text += head + '\n';

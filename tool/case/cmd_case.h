@@ -13,7 +13,7 @@ struct ReplayOptions {
   CaseChoice choice;
   std::string shrink;  ///< file for the smallest case that still fails; empty: as it is
   std::uint64_t evaluations = 10000;
-  std::string as{};  ///< of report::kCodeLanguages: print the case so; empty: the verdict
+  std::string as{};  ///< print the case in this one of report::kCodeLanguages; empty: do not
 };
 int RunReplay(const ReplayOptions& options);
 

@@ -118,7 +118,7 @@ class Certification {
   bool IsDone() const;
   /// What came of the parts, in their order. Interrupted if one was, or was never done.
   ///
-  /// Domain:     nobody works on it.
+  /// Domain:     no other thread works on it.
   report::Certificate Result() const;
   /// What came of the source's cases.
   ///
@@ -144,22 +144,18 @@ class Certification {
   const Source& source_;
   std::vector<Test> tests_;
   props::Pace pace_;
-  props::Pace scene_pace_;  ///< scenes are large: that small cases are fast says nothing of them
+  props::Pace scene_pace_;  ///< scenes are large: small, fast cases do not predict their time
   std::vector<Part> parts_;
 };
 
-/// What this program and the options say of every part of a campaign on the subject: all but cases
-/// and results; of tests only which they are. Of a library also which bytes it is.
+/// Returns the header that all parts of a campaign on the subject share: version, environment,
+/// options, names of tests, and a library's hash.
 SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>& worlds);
 
-/// Certificates, files and page of the subjects, as `certify` leaves them: what is run, or what the
-/// source's parts have.
+/// Writes certificates, files and page of the subjects, from a run or from the source's parts.
 ///
 /// Returns:    the exit status.
 int Certify(const CertifyOptions& options, const Source& source);
-
-/// Why the counts of the scene's samples are not stated by the profile; empty if they are.
-std::string WhyNotStated(const Scene& scene, const Profile& profile);
 
 /// Pictures of real scenes, and of what every violated subject got wrong, for the page to show.
 ///

@@ -19,6 +19,8 @@
 #include "io/scene_set.h"
 #include "legal/joint.h"
 #include "model/snap_scene.h"
+#include "props/compare/compare.h"
+#include "props/compare/yardsticks.h"
 #include "props/judging/as_shown.h"
 #include "props/judging/gate.h"
 #include "props/property.h"
@@ -26,80 +28,56 @@
 #include "tool/certify/certify.h"
 #include "tool/interrupt.h"
 #include "tool/legal/legality.h"
-#include "tool/outside.h"
+#include "tool/not_stated.h"
 #include "tool/scene_source.h"
 #include "tool/session.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::string_view kNotJudged = ": observed, not judged";
-
 std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
   if (!scene.clip_space && !info.takes_window) return "the scene is in window space";
-  return info.profile.fixed ? "coordinates that the subject's integers do not hold"
+  return info.profile.fixed ? "coordinates out of range of the subject's integers"
                             : "the scene is float64";
 }
 
-// What came of drawing a scene: counts, or why there are none.
+// What came of drawing a scene.
 struct Attempt {
-  std::optional<CoverageCounts> counts;
+  std::shared_ptr<const Drawing> drawing;
   std::optional<OneCall> call;  ///< of a profile that leaves something free
-  /// Without counts; kViolated and kInconclusive are reported.
-  Outcome outcome = Outcome::kNotApplicable;
-  Stop stop = Stop::kNone;
-  std::string reason;
+  CallEnd end;                  ///< why one of the two is missing
   double seconds = 0;
-  bool as_shown = false;  ///< the counts say whether a sample is covered, not how often
 };
 
-void SetReason(const SubjectStop& end, Attempt& attempt) {
-  const std::string why = end.what();
-  attempt.stop = end.stop();
-  switch (end.stop()) {
-    case Stop::kNone:
-      return;
-    case Stop::kRefused:
-      attempt.outcome = Outcome::kRefused;
-      attempt.reason = "the subject refused it: " + why;
-      return;
-    case Stop::kNotDrawable:
-      attempt.reason = "it can't be given to the subject: " + why;
-      return;
-    case Stop::kBrokeDown:
-    case Stop::kHung:
-      attempt.outcome = Outcome::kViolated;
-      attempt.reason = "the subject failed: " + why;
-      return;
-    case Stop::kTooSlow:
-    case Stop::kOutOfMemory:
-    case Stop::kDeadline:
-      attempt.outcome = Outcome::kInconclusive;
-      attempt.reason = "not judged: " + why;
-      return;
-  }
+CallEnd InWords(Stop stop, const std::string& why) {
+  if (IsBreakdown(stop)) return {stop, "the subject failed: " + why};
+  if (IsALimit(stop)) return {stop, "not judged: " + why};
+  if (stop == Stop::kRefused) return {stop, "the subject refused it: " + why};
+  return {stop, "the subject can't take it: " + why};
 }
 
 Attempt TryToDraw(Subject& subject, const Scene& scene) {
   Attempt attempt;
   if (!Takes(subject.Info(), scene)) {
-    attempt.reason = WhyNotTaken(subject.Info(), scene);
+    attempt.end = {Stop::kNotDrawable, WhyNotTaken(subject.Info(), scene)};
     return attempt;
   }
-  attempt.as_shown = props::IsJudgedAsShown(subject.Info(), scene);
   const auto start = Clock::now();
   try {
-    attempt.counts = Draw(subject, scene);
+    const auto drawing = std::make_shared<Drawing>();
+    drawing->counts = Draw(subject, scene);
+    attempt.drawing = drawing;
     if (!subject.Info().profile.freedom.IsNone()) attempt.call = DrawInOneCall(subject, scene);
   } catch (const SubjectStop& stop) {
-    SetReason(stop, attempt);
+    attempt.end = InWords(stop.stop(), stop.what());
   } catch (const InputError& error) {
-    SetReason({Stop::kNotDrawable, error.what()}, attempt);
+    attempt.end = InWords(Stop::kNotDrawable, error.what());
   }
   attempt.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return attempt;
@@ -115,41 +93,69 @@ Attempt TryInTime(Subject& subject, const Scene& scene, props::Pace& pace) {
   }
   Attempt attempt = TryToDraw(subject, scene);
   subject.SetDeadline(Clock::time_point::max());
-  if (attempt.counts) pace.Answered(attempt.seconds);
-  if (attempt.stop == Stop::kHung || attempt.stop == Stop::kDeadline) {
+  if (attempt.drawing) pace.Answered(attempt.seconds);
+  if (attempt.end.stop == Stop::kHung || attempt.end.stop == Stop::kDeadline) {
     pace.hangs = true;
     ++pace.silent;
   }
-  if (is_short && attempt.stop == Stop::kDeadline) {
-    attempt.reason =
-        "no answer within the short time that a scene gets since the subject hung on "
-        "another one (--time-limit)";
+  if (is_short && attempt.end.stop == Stop::kDeadline) {
+    attempt.end.why = "no answer in time; after a hang, scenes get less than --time-limit";
   }
   return attempt;
 }
 
-SceneResult Measure(const SubjectInfo& info, MeasuredScene& measured, const Profile& profile,
-                    const Attempt& attempt) {
-  SceneResult result;
-  result.scene = measured.name();
-  result.subject = info.name;
-  result.profile = profile.name;
-  result.triangles = measured.scene().triangles.size();
-  result.seconds = attempt.seconds;
-  result.as_shown = attempt.as_shown;
-  result.applicable = attempt.counts.has_value();
-  result.message = attempt.reason;
-  if (!result.applicable) return result;
-  try {
-    const CoverageCounts& truth = measured.Truth(profile);
-    result.difference = Compare(*attempt.counts, result.as_shown ? props::AsShown(truth) : truth);
-  } catch (const InputError& error) {
-    result.applicable = false;
-    result.message = error.what();
-    return result;
+// The oracle's counts under the profile, of what the subject can show; `difference` takes how the
+// drawing differs from them.
+props::Yardstick ByTruth(MeasuredScene& measured, const Profile& profile, bool as_shown,
+                         CoverageDifference& difference) {
+  return [&, as_shown](const props::CaseAtHand&) -> props::Judging {
+    return {"", [&, as_shown](const props::Drawn& drawn) -> props::Reading {
+              try {
+                const CoverageCounts& truth = measured.Truth(profile);
+                const CoverageCounts& counts = drawn.drawing->counts;
+                const CoverageCounts expected = as_shown ? props::AsShown(truth) : truth;
+                difference = Compare(counts, expected);
+                return {.wrong = props::WrongSamples(counts, expected)};
+              } catch (const InputError& error) {
+                return {.end = {Stop::kNotDrawable, error.what()}};
+              }
+            }};
+  };
+}
+
+// Draws the scene, and compares it with the truth under each profile.
+Attempt Measure(Subject& subject, MeasuredScene& measured, const std::vector<Profile>& profiles,
+                props::Pace& pace, std::vector<SceneResult>& results) {
+  const Scene& scene = measured.scene();
+  const SubjectInfo& info = subject.Info();
+  const bool as_shown = props::IsJudgedAsShown(info, scene);
+  Attempt attempt;
+  const props::Row row{
+      .cases = 1,
+      .at = [&](std::uint64_t) { return Case{scene, info.profile, {}, measured.name()}; },
+      .draw = [&](const props::CaseAtHand&) -> props::Drawn {
+        attempt = TryInTime(subject, scene, pace);
+        return {attempt.drawing ? CallEnd{} : attempt.end, attempt.drawing};
+      }};
+  std::vector<CoverageDifference> differences(profiles.size());
+  std::vector<props::Yardstick> yardsticks;
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    yardsticks.push_back(ByTruth(measured, profiles[k], as_shown, differences[k]));
   }
-  result.message = WhyNotStated(measured.scene(), profile);
-  return result;
+  const std::vector<Cell> cells = props::CompareRow(row, yardsticks);
+  for (std::size_t k = 0; k < profiles.size(); ++k) {
+    const bool is_compared = cells[k].cases > cells[k].ended;
+    results.push_back({.scene = measured.name(),
+                       .subject = info.name,
+                       .profile = profiles[k].name,
+                       .triangles = scene.triangles.size(),
+                       .difference = differences[k],
+                       .as_shown = as_shown,
+                       .applicable = is_compared,
+                       .message = is_compared ? WhyNotStated(scene, profiles[k]) : cells[k].why,
+                       .seconds = attempt.seconds});
+  }
+  return attempt;
 }
 
 // The property's result on one scene, of which nothing is said yet.
@@ -167,9 +173,10 @@ PropertyResult AsResult(const SubjectInfo& info, const MeasuredScene& measured,
                         const Attempt& attempt) {
   PropertyResult result =
       ResultOn(measured, info, *props::FindProperty("DrawStaysInsideItsTarget"));
-  result.outcome = attempt.outcome;
-  if (attempt.outcome == Outcome::kViolated) result.cases_exercised = result.exercised = 1;
-  result.message = attempt.reason;
+  const bool is_breakdown = IsBreakdown(attempt.end.stop);
+  result.outcome = is_breakdown ? Outcome::kViolated : Outcome::kInconclusive;
+  if (is_breakdown) result.cases_exercised = result.exercised = 1;
+  result.message = attempt.end.why;
   result.seconds = attempt.seconds;
   return result;
 }
@@ -205,7 +212,7 @@ PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measur
         break;
       case legal::Legality::kNotJudged:
         result.outcome = Outcome::kNotExercised;
-        result.message = fmt::format("a component of {} triangles is too large to be judged",
+        result.message = fmt::format("a component of {} triangles is too large to judge",
                                      verdict.largest_given_up);
         break;
     }
@@ -223,23 +230,6 @@ std::string SharedName(const std::string& file, const std::string& scene_set) {
 }
 
 }  // namespace
-
-std::string WhyNotStated(const Scene& scene, const Profile& profile) {
-  if (!WithinLimits(scene, profile)) {
-    return "coordinates or a target beyond what the profile states" + std::string(kNotJudged);
-  }
-  if (!IsUnclipped(scene, {profile, scene})) {
-    return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);
-  }
-  if (profile.degenerate_triangles == DegenerateTriangles::kNothing) return "";
-  if (scene.clip_space && !profile.snap.IsNone()) {
-    return "areas after the division and snapping are not decided" + std::string(kNotJudged);
-  }
-  return exact::PlacedScene(scene, profile).flat.empty()
-             ? ""
-             : "triangles of zero area, which the profile leaves unspecified" +
-                   std::string(kNotJudged);
-}
 
 MeasuredScene::MeasuredScene(const io::SceneEntry& entry, const std::string& path, Scene scene)
     : name_(entry.name),
@@ -280,7 +270,7 @@ MeasuredScenes LoadSceneSet(const std::string& path, Progress& progress) {
   const std::optional<std::string> found = path.empty() ? FindShared(kSceneSet) : Located(path);
   if (!found) {
     throw InputError(kSceneSet,
-                     fmt::format("no scene set lies beside the command (looked in {})",
+                     fmt::format("there is no scene set beside the command (looked in {})",
                                  fmt::join(SharedFolders(), ", ")),
                      "name one with --scenes FILE");
   }
@@ -298,10 +288,15 @@ void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& 
                 props::Pace& pace) {
   const Profile real = *PresetProfile("real");
   const SubjectInfo& info = subject.Info();
-  const Attempt attempt = TryInTime(subject, measured.scene(), pace);
+  std::vector<Profile> profiles{info.profile};
+  if (!SameModel(info.profile, real) && info.profile.pattern == real.pattern) {
+    profiles.push_back(real);
+  }
+  std::vector<SceneResult> results;
+  const Attempt attempt = Measure(subject, measured, profiles, pace, results);
   certificate.interrupted = Interrupted();
-  if (Interrupted() && !attempt.counts) return;  // whatever came of it, the interrupt did it
-  if (attempt.outcome == Outcome::kViolated || attempt.outcome == Outcome::kInconclusive) {
+  if (Interrupted() && !attempt.drawing) return;  // whatever came of it, the interrupt did it
+  if (IsBreakdown(attempt.end.stop) || IsALimit(attempt.end.stop)) {
     certificate.tested.push_back(AsResult(info, measured, attempt));
     certificate.replay[certificate.tested.back().property] = measured.CommandThatShows(info.name);
   }
@@ -310,10 +305,7 @@ void MeasureOne(Subject& subject, MeasuredScene& measured, report::Certificate& 
     certificate.replay[certificate.tested.back().property] =
         fmt::format("{} --subject {}", measured.CommandOf("legal"), ShellWord(info.name));
   }
-  certificate.measured.push_back(Measure(info, measured, info.profile, attempt));
-  if (!SameModel(info.profile, real) && info.profile.pattern == real.pattern) {
-    certificate.measured.push_back(Measure(info, measured, real, attempt));
-  }
+  certificate.measured = std::move(results);
 }
 
 }  // namespace rasterproof::tool

@@ -25,7 +25,6 @@
 #include "report/grounds.h"
 #include "report/page.h"
 #include "report/text.h"
-#include "subjects/builtin/builtin.h"
 #include "tool/certify/certify.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
@@ -34,10 +33,11 @@
 #include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
-#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
@@ -265,7 +265,7 @@ int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey
 // Each once, in order; misspelt names are found before any work.
 std::vector<SubjectFactory> SubjectsOf(const CertifyOptions& options) {
   std::vector<SubjectFactory> subjects;
-  for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
+  for (const std::string& name : options.all ? BuiltInNames() : options.subjects) {
     if (std::ranges::find(subjects, name, &SubjectFactory::name) != subjects.end()) continue;
     NotePreset(subjects.emplace_back(ResolveSubject(name, options.profile)).Make()->Info().profile);
   }
@@ -290,7 +290,7 @@ std::string Summary(const std::vector<report::Certificate>& certificates, std::s
     if (!survey) text += Remarks(certificate);
   }
   if (Interrupted()) {
-    text += fmt::format("interrupted: {} of {} subjects begun; this is what is known so far\n",
+    text += fmt::format("interrupted: {} of {} subjects begun; results so far:\n",
                         certificates.size(), asked);
   }
   return text;
@@ -341,9 +341,9 @@ int RunParts(const CertifyOptions& options, const Source& source) {
 void RequireForAPart(const CertifyOptions& options) {
   const std::string place = options.range ? "--cases A..B" : "--shard";
   const auto refuse = [&](const std::string& option, const std::string& remedy) {
-    throw InputError(place, "a part of a campaign takes no " + option, remedy);
+    throw InputError(place, "a part of a campaign does not take " + option, remedy);
   };
-  if (options.campaign.seconds > 0) refuse("--seconds", "say how many cases, not how long");
+  if (options.campaign.seconds > 0) refuse("--seconds", "give --cases instead");
   if (!options.scene_set.empty())
     refuse("--scenes", "give it to --merge, which measures the scenes");
   if (options.fail_on == FailOn::kQuality) refuse("--fail-on", "give it to --merge");

@@ -24,19 +24,19 @@ struct CertifyOptions {
   std::vector<std::string> subjects;
   std::string profile;  ///< judge by this one; empty: by each subject's own
   bool all = false;
-  std::string scene_set;  ///< file; empty: scenes/certify.json, which lies beside the command
+  std::string scene_set;  ///< file; empty: scenes/certify.json beside the command
   std::string output = "out";
-  std::string bench;       ///< file that bench --json wrote, for the page; empty: none
-  std::string survey;      ///< folder of what survey --json wrote, for the page; empty: none
+  std::string bench;       ///< bench --json file for the page; empty: none
+  std::string survey;      ///< folder of survey --json files for the page; empty: none
   bool catalogue = false;  ///< the matrix of stiff and extreme cases on the page
   props::CampaignOptions campaign;
-  /// Only these cases, as a part. `campaign.cases` plays no role.
+  /// Only these cases, as a part; `campaign.cases` is ignored.
   std::optional<CaseRange> range;
   std::string shard;                ///< only this shard, as a part: "2/5" or "auto"; empty: all
-  std::vector<std::string> worlds;  ///< small worlds, every case of which is run
+  std::vector<std::string> worlds;  ///< small worlds to run exhaustively
   int jobs = 1;                     ///< properties or scenes at once
   FailOn fail_on = FailOn::kStated;
-  /// Files of parts of one subject's campaign, to be put together (RunMerge): no case is run.
+  /// Files of parts of one subject's campaign to merge (RunMerge): no case is run.
   std::vector<std::string> parts;
 };
 int RunCertify(const CertifyOptions& options);

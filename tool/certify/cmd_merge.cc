@@ -12,16 +12,17 @@
 #include "fmt/format.h"
 #include "props/domains/worlds.h"
 #include "report/text.h"
+#include "tool/case_choice.h"
 #include "tool/certify/certify.h"
 #include "tool/certify/cmd_certify.h"
 #include "tool/certify/part_check.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
 #include "tool/environment.h"
-#include "tool/outside.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
+#include "tool/resolve_case.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -75,10 +76,11 @@ void RequireAgreement(const Parts& parts) {
     for (const SubjectPart& part : parts) {
       const std::string other = agreement.of(part);
       if (other == first) continue;
-      throw InputError(part.file,
-                       fmt::format("its {}{} is not that of {}{}", agreement.what, Shown(other),
-                                   parts.front().file, Shown(first)),
-                       "merge parts of one campaign, or run this part again as the others");
+      throw InputError(
+          part.file,
+          fmt::format("its {}{} differs from that of {}{}", agreement.what, Shown(other),
+                      parts.front().file, Shown(first)),
+          "merge parts of one campaign, or run this part again with the others' options");
     }
   }
 }
@@ -106,7 +108,7 @@ void RequireNoHoles(const std::string& file, const std::vector<std::uint64_t>& h
   }
   const bool is_one = holes.size() == 1;
   throw InputError(file,
-                   fmt::format("{} {} of {} {} in none of the files", is_one ? "shard" : "shards",
+                   fmt::format("{} {} of {} {} missing", is_one ? "shard" : "shards",
                                fmt::join(numbers, ", "), count, is_one ? "is" : "are"),
                    fmt::format("run {} ({}) and give {} too", is_one ? "it" : "each",
                                fmt::join(shards, ", "), is_one ? "its file" : "their files"));
@@ -130,7 +132,7 @@ void RequireShards(const Parts& parts) {
     }
     add_holes(part.shard->number);
     if (part.range != CasesOf(*part.shard, part.cases.value_or(0))) {
-      throw InputError(part.file, "its cases are not those of its shard", "run it again");
+      throw InputError(part.file, "its cases do not belong to its shard", "run it again");
     }
     last = &part;
     ++next;
@@ -151,8 +153,7 @@ void RequireRanges(const Parts& parts) {
     }
     if (part.range.first > next) {
       const std::string hole = RangeText({next, part.range.first});
-      throw InputError(part.file,
-                       fmt::format("the cases {} before it are in none of the files", hole),
+      throw InputError(part.file, fmt::format("the cases {} before it are missing", hole),
                        fmt::format("run them (--cases {}) and give their file too", hole));
     }
     next = part.range.end;
@@ -181,8 +182,7 @@ Parts ReadAll(const std::vector<std::string>& files) {
 
 std::string SubjectOf(const CertifyOptions& options, const SubjectPart& part) {
   if (options.subjects.empty() && NamesWhatToRun(part.subject)) {
-    throw InputError(part.file,
-                     "it names a subject outside this program, and no file decides what is run",
+    throw InputError(part.file, "it names an outside subject, and files may not choose what runs",
                      "if you trust it, name it yourself: " + SubjectOption(part.subject));
   }
   const auto is_other = [&](const std::string& name) { return name != part.subject; };
@@ -206,7 +206,7 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
           fmt::format("another build of rasterproof wrote it (version {})",
                       report::CleanText(part.tool_version)),
           "run all parts and merge by one build");
-  require(part.stated == mine.stated, "the subject stated something else then, or is another build",
+  require(part.stated == mine.stated, "the subject or its description has changed since",
           "run the parts again, or merge with the subject that they were run on");
   require(part.options == mine.options,
           "it was run with other options:" + report::CleanText(part.options),
@@ -215,7 +215,7 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
     return NameOf(one) == NameOf(other);
   };
   require(std::ranges::equal(part.tests, mine.tests, is_same),
-          "its properties are not those that this program has",
+          "it has other properties than this program",
           "run all parts and merge by one build of rasterproof");
 }
 
@@ -223,7 +223,7 @@ void RequireSame(const SubjectPart& part, const SubjectPart& mine) {
 // that number.
 void RequireUnchanged(const SubjectPart& part) {
   if (part.digest == DigestOf(part)) return;
-  throw InputError(part.file, "its content is not what it was written with (another digest)",
+  throw InputError(part.file, "its content changed after it was written (its digest differs)",
                    "run the part again");
 }
 

@@ -1,4 +1,4 @@
-// What was proved of a subject's arithmetic, and where its proof was run; what was not asked of it.
+// Proofs of a subject's arithmetic and where they ran; what the subject was not asked.
 #ifndef RASTERPROOF_TOOL_CERTIFY_EVIDENCE_H_
 #define RASTERPROOF_TOOL_CERTIFY_EVIDENCE_H_
 
@@ -13,7 +13,7 @@
 namespace rasterproof::tool {
 
 /// Each statement with its script, named by the SHA-256 that the script had when this program was
-/// built, and what the tests recorded of its run: proofs/NAME.json beside the command
+/// built, and the tests' record of its run: proofs/NAME.json beside the command
 /// (scripts/prove). Without a record of that very script it says "not run for this source".
 std::vector<report::Evidence> ProvedOf(const SubjectInfo& info);
 

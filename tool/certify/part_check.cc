@@ -53,7 +53,7 @@ class TestCheck {
   void RequireCounts() const {
     for (const std::uint64_t count :
          {result_.exercised, result_.not_judged, result_.draws.window, result_.draws.clip}) {
-      Require(count <= kMostCounted, fmt::format("{} is no count that any run reaches", count));
+      Require(count <= kMostCounted, fmt::format("no run can reach a count of {}", count));
     }
     Require(
         result_.cases_exercised <= result_.cases && result_.cases_exercised <= result_.exercised,
@@ -69,7 +69,7 @@ class TestCheck {
                         "{}",
                         result_.cases_refused, result_.refused_within_limits,
                         result_.not_applicable, result_.cases));
-    Require(result_.worst_ratio >= 0, "the largest error is no number above 0");
+    Require(result_.worst_ratio >= 0, "the largest error is not a positive number");
   }
 
   std::size_t Domains() const {
@@ -87,9 +87,9 @@ class TestCheck {
   }
 
   void RequireDomains() const {
-    Require(result_.domains.size() == Domains(),
-            fmt::format("{} domains are listed, and it draws from {}", result_.domains.size(),
-                        Domains()));
+    Require(
+        result_.domains.size() == Domains(),
+        fmt::format("it lists {} domains but draws from {}", result_.domains.size(), Domains()));
     std::uint64_t left = result_.cases;
     for (const auto& [drawn, near_edge] : result_.domains) {
       Require(drawn <= left, "its domains have more cases than were run");
@@ -100,7 +100,7 @@ class TestCheck {
       const std::uint64_t most =
           std::max({near.on_edge, near.within_1, near.within_16, near.within_256});
       Require(most <= near.samples && near.samples <= kMostCounted,
-              "more of its samples lie near edges than were looked at");
+              "more of its samples lie near edges than were tested");
     }
   }
 
@@ -125,9 +125,9 @@ class TestCheck {
   }
 
   void RequireFound(const Counterexample& found) const {
-    Require(found.outcome != Outcome::kHolds, "it failed, and the outcome is that it holds");
+    Require(found.outcome != Outcome::kHolds, "it failed, but its outcome is 'holds'");
     Require(found.verdict.outcome == Outcome::kViolated,
-            "it failed, and what was said of the case is not that it is violated");
+            "it failed, but its case is not said to violate it");
     if (!found.verdict.witness) return;
     const Witness& w = *found.verdict.witness;
     const DrawnScene* drawn = found.verdict.drawn.get();

@@ -197,7 +197,7 @@ void ReadSums(const JsonValue& object, PropertyResult& sums) {
   Read(kDrawsJudged, object.Get("draws"), sums.draws);
   const JsonValue places = object.Get("places");
   if (places.RequireArray().size() != sums.places.size()) {
-    throw places.Error("has no entry for every place, or more", "write the part again");
+    throw places.Error("has the wrong number of entries", "run the part again");
   }
   auto counts = sums.places.begin();
   for (const JsonValue place : places.RequireArray()) Read(kPlaceCounters, place, *counts++);
@@ -207,7 +207,7 @@ Outcome OutcomeOf(const JsonValue& value) {
   for (const Outcome outcome : kFoundOutcomes) {
     if (OutcomeName(outcome) == value.RequireString()) return outcome;
   }
-  throw value.Error("is no outcome of a part", "write the part again");
+  throw value.Error("is not an outcome", "run the part again");
 }
 
 double DoubleOf(const JsonValue& value) {
@@ -227,7 +227,7 @@ RationalText RationalOf(const JsonValue& value) {
       (slash == text.size() || is_digits(view.substr(slash + 1)))) {
     return {std::move(text)};
   }
-  throw value.Error(Quoted(text, 40) + " is no rational number", "write the part again");
+  throw value.Error(Quoted(text, 40) + " is not a rational number", "run the part again");
 }
 
 WitnessPart PartOf(const JsonValue& value) {
@@ -247,7 +247,7 @@ WitnessPart PartOf(const JsonValue& value) {
       return set;
     }
   }
-  throw value.Error("is neither words nor a number of a witness", "write the part again");
+  throw value.Error("is not a value of a witness", "run the part again");
 }
 
 WitnessValue ValueOf(const JsonValue& list) {
@@ -284,7 +284,7 @@ End EndOf(const JsonValue& value) {
   for (const auto& [end, name] : kEnds) {
     if (name == value.RequireString()) return end;
   }
-  throw value.Error("is no end of a part", "write the part again");
+  throw value.Error("is not the way a test ends", "run the part again");
 }
 
 PropertyResult TestOf(const JsonValue& object) {
@@ -304,7 +304,7 @@ void RequirePart(const JsonValue& root) {
   const std::optional<JsonValue> version =
       root.kind() == io::JsonKind::kObject ? root.Find("rasterproof_part") : std::nullopt;
   if (!version) {
-    throw root.Error("is no part of a campaign",
+    throw root.Error("is not a part of a campaign",
                      "give files that 'rasterproof certify --shard I/N' wrote");
   }
   if (version->text() == std::to_string(kPartVersion)) return;
@@ -318,10 +318,10 @@ std::uint64_t SeedOf(const JsonValue& value) {
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data(), end, seed);
   if (error == std::errc() && at == end && std::to_string(seed) == text) return seed;
-  throw value.Error("is no seed of 0 to 2^64 - 1", "write the part again");
+  throw value.Error("is not a seed from 0 to 2^64 - 1", "run the part again");
 }
 
-// Numbers that arithmetic is done with before anything else is looked at.
+// Reads the range first: later checks compute with it.
 void ReadRange(const JsonValue& root, SubjectPart& part) {
   const auto integer = [&](std::string_view key, std::uint64_t least, std::uint64_t most) {
     return static_cast<std::uint64_t>(root.Get(key).RequireInteger(
@@ -332,7 +332,7 @@ void ReadRange(const JsonValue& root, SubjectPart& part) {
     part.shard = Shard{integer("shard", 1, count), count};
     part.cases = integer("cases", 1, kMostCases);
   } else if (root.Find("shards") || root.Find("cases")) {
-    throw root.Error("it has no shard, and says of how many", "write the part again");
+    throw root.Error("gives \"shards\" or \"cases\" without \"shard\"", "run the part again");
   }
   const std::uint64_t first = integer("first", 0, kMostCases);
   part.range = {first, integer("end", part.shard ? first : first + 1, kMostCases)};

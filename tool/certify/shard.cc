@@ -16,7 +16,7 @@
 namespace rasterproof::tool {
 namespace {
 
-constexpr std::string_view kByHand = "say it yourself: --shard 1/3";
+constexpr std::string_view kByHand = "give it by hand: --shard 1/3";
 
 std::optional<std::uint64_t> WholeNumber(std::string_view text) {
   std::uint64_t number = 0;
@@ -42,12 +42,12 @@ class Engine {
   std::uint64_t Number(const std::string& name) const {
     const std::optional<std::string> text = variables_(name);
     if (!text) {
-      throw InputError("--shard auto", name + " is not set, though others of its engine are",
+      throw InputError("--shard auto", name + " is not set, though related variables are",
                        std::string(kByHand));
     }
     const std::optional<std::uint64_t> number = WholeNumber(*text);
     if (number) return *number;
-    throw InputError("--shard auto", fmt::format("{} is '{}', which is no count", name, *text),
+    throw InputError("--shard auto", fmt::format("{} is '{}', not a count", name, *text),
                      std::string(kByHand));
   }
 
@@ -95,10 +95,10 @@ Shard FromVariables(const Variables& variables) {
     if (said) all.push_back(*said);
   }
   if (all.empty()) {
-    throw InputError("--shard auto",
-                     "no engine says which shard this is: neither GTEST_SHARD_INDEX nor "
-                     "SLURM_ARRAY_TASK_ID nor OMPI_COMM_WORLD_RANK is set",
-                     std::string(kByHand));
+    throw InputError(
+        "--shard auto",
+        "none of GTEST_SHARD_INDEX, SLURM_ARRAY_TASK_ID and OMPI_COMM_WORLD_RANK is set",
+        std::string(kByHand));
   }
   for (const Said& other : all) {
     if (other.shard == all.front().shard) continue;
@@ -120,7 +120,7 @@ void ParseCases(const std::string& text, CertifyOptions& options) {
   const std::size_t dots = text.find("..");
   const auto refuse = [&](const std::string& reason) {
     return InputError("--cases " + text, reason,
-                      "give a number above 0, or two: 200..400 are the cases 200 to 399");
+                      "give a number above 0, or a range: 200..400 for cases 200 to 399");
   };
   if (dots == std::string::npos) {
     const std::optional<std::uint64_t> cases = WholeNumber(text);
@@ -132,7 +132,7 @@ void ParseCases(const std::string& text, CertifyOptions& options) {
   const std::optional<std::uint64_t> first = WholeNumber(whole.substr(0, dots));
   const std::optional<std::uint64_t> end = WholeNumber(whole.substr(dots + 2));
   if (!first || !end || *end > kMostCases) throw refuse("not two numbers of cases");
-  if (*first >= *end) throw refuse("there is no case in it");
+  if (*first >= *end) throw refuse("the range is empty");
   options.range = CaseRange{*first, *end};
 }
 

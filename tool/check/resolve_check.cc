@@ -23,8 +23,8 @@ std::multimap<std::string, GivenCase> SavedIn(const std::string& folder) {
   for (const std::string& path : paths) {
     const io::CaseFile file = io::ReadCase(path);
     if (file.property.empty()) {
-      throw InputError(path, "the file in the folder of saved failures names no property",
-                       "move it out of the folder, or give it as a --scene");
+      throw InputError(path, "the saved failure names no property",
+                       "move it out of the folder, or check it as a scene");
     }
     saved.emplace(file.property, GivenCase{path, file.value, {}, file.states_profile});
   }

@@ -13,7 +13,7 @@ struct ClimbOptions {
   std::string property = "EdgeErrorStaysWithinItsBound";
   std::uint64_t seed = 1;
   std::uint64_t evaluations = 20'000;
-  std::string from;    ///< a case file to set out from as well; empty: drawn cases alone
+  std::string from;    ///< a case file to start from as well; empty: only drawn cases
   std::string output;  ///< file; empty: none
 };
 int RunClimb(const ClimbOptions& options);

@@ -15,7 +15,6 @@
 #include "core/float_mode.h"
 #include "core/suggestion.h"
 #include "fmt/format.h"
-#include "io/case_file.h"
 #include "io/output.h"
 #include "props/compare/families.h"
 #include "props/compare/yardsticks.h"
@@ -65,7 +64,9 @@ class Asked {
       scene.path = path;
       scenes_.push_back(LoadScene(scene));
     }
-    if (scenes_.empty()) families_ = FamiliesNamed(options.families);
+    if (scenes_.empty() || !options.families.empty()) {
+      families_ = FamiliesNamed(options.families);
+    }
     for (std::size_t k = 0; k < scenes_.size(); ++k) {
       static constexpr props::Theme kScenes{"scenes", "It covers what exact geometry covers."};
       families_.push_back({options.scenes[k], "", &kScenes, nullptr, nullptr, &scenes_[k]});
@@ -80,7 +81,7 @@ class Asked {
     if (by_modes) {
       table.what = "modes";
       table.one = "mode";
-    } else if (!scenes_.empty()) {
+    } else if (scenes_.size() == families_.size()) {
       table.what = "scenes";
       table.one = "scene";
     }
@@ -131,23 +132,6 @@ class Asked {
   std::vector<Column> columns_;
 };
 
-void SaveWorst(const std::string& folder, const ComparisonTable& table,
-               const std::vector<Column>& columns) {
-  const ComparedSubject& subject = table.subjects.back();
-  for (std::size_t k = 0; k < table.rows.size(); ++k) {
-    for (std::size_t y = 0; y < columns.size(); ++y) {
-      const Case* const worst = subject.cells[k][y].Worst();
-      if (worst == nullptr || !columns[y].is_saved) continue;
-      const std::string end = columns[y].file.empty() ? "" : "-" + columns[y].file;
-      io::MakeFolder(folder);
-      io::WriteFile(fmt::format("{}/{}-{}{}.json", folder, FileNameOf(subject.name),
-                                FileNameOf(table.rows[k].name), end),
-                    io::CaseToJson({columns[y].judged ? columns[y].judged(*worst) : *worst,
-                                    subject.name, columns[y].property}));
-    }
-  }
-}
-
 int StatusOf(const ComparedSubject& subject, const std::vector<Column>& columns) {
   int status = kExitHolds;
   bool is_compared = false;
@@ -177,10 +161,7 @@ int RunCompare(const CompareOptions& options) {
     if (Interrupted()) break;
     const std::vector<Column> columns = asked.ColumnsFor(subject.Make()->Info());
     table.subjects.push_back({subject.name(), asked.CellsOf(subject, table)});
-    if (options.json != "-") {
-      io::WriteStandardOutput(report::ComparisonText(table, table.subjects.back()));
-    }
-    if (!options.save.empty()) SaveWorst(options.save, table, columns);
+    TellNewest(table, columns, options.json, options.save);
     status = WorseStatus(status, StatusOf(table.subjects.back(), columns));
   }
   if (!options.json.empty()) io::WriteOutput(options.json, report::ComparisonToJson(table));

@@ -15,11 +15,11 @@ namespace rasterproof::tool {
 struct CompareOptions {
   std::vector<std::string> subjects;
   std::vector<std::string> scenes;             ///< rows: scene files; empty: families
-  std::vector<std::string> families;           ///< rows: these alone; empty: all
+  std::vector<std::string> families;           ///< rows: these; empty: all, if no scene is named
   std::vector<std::string> by{"own", "real"};  ///< columns: these, or names of other subjects
   std::vector<std::string> modes;              ///< rows: floating-point modes of the subject itself
   std::string profile;                         ///< judge by this one instead of the subject's own
-  bool device = false;                         ///< with the numbers of its device in it
+  bool device = false;                         ///< narrowed by the subject's own numbers
   props::CampaignOptions campaign;
   std::size_t list_length = 0;  ///< 0: the subject's own
   FailOn fail_on = FailOn::kStated;

@@ -4,10 +4,13 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "core/error.h"
 #include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/output.h"
 #include "props/compare/yardsticks.h"
 #include "props/run/description.h"
 #include "report/picture.h"
@@ -41,7 +44,9 @@ std::optional<report::FamilyPicture> PictureOf(const Worst& worst) {
   if (worst.subject == nullptr) return std::nullopt;
   const std::unique_ptr<Subject> subject = worst.subject->Make();
   try {
-    report::Explanation explanation = Explain(*subject, worst.value, {}, "");
+    Verdict verdict;
+    See(*subject, worst.value, verdict);
+    report::Explanation explanation = Explain(subject->Info(), worst.value, verdict, "");
     explanation.edge_values.clear();
     const bool is_real = !SameModel(worst.value.profile, subject->Info().profile);
     return report::FamilyPicture{
@@ -61,6 +66,23 @@ void MarkProved(const SubjectInfo& info, std::vector<Cell>& cells) {
   const bool is_real = SameModel(info.profile, props::RealProfileOf(info.profile));
   for (std::size_t y = 0; y < cells.size(); ++y) {
     cells[y].is_proved = !cells[y].Fails() && (y == 0 || is_real);
+  }
+}
+
+void SaveWorst(const std::string& folder, const ComparisonTable& table,
+               const std::vector<Column>& columns) {
+  const ComparedSubject& subject = table.subjects.back();
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    for (std::size_t y = 0; y < columns.size(); ++y) {
+      const Case* const worst = subject.cells[k][y].Worst();
+      if (worst == nullptr || !columns[y].is_saved) continue;
+      const std::string end = columns[y].file.empty() ? "" : "-" + columns[y].file;
+      io::MakeFolder(folder);
+      io::WriteFile(fmt::format("{}/{}-{}{}.json", folder, FileNameOf(subject.name),
+                                FileNameOf(table.rows[k].name), end),
+                    io::CaseToJson({columns[y].judged ? columns[y].judged(*worst) : *worst,
+                                    subject.name, columns[y].property}));
+    }
   }
 }
 
@@ -117,6 +139,12 @@ ComparisonTable TableOf(const std::vector<props::Family>& families,
                           std::string(right)});
   }
   return table;
+}
+
+void TellNewest(const ComparisonTable& table, const std::vector<Column>& columns,
+                const std::string& json, const std::string& folder) {
+  if (json != "-") io::WriteStandardOutput(report::ComparisonText(table, table.subjects.back()));
+  if (!folder.empty()) SaveWorst(folder, table, columns);
 }
 
 report::Catalogue MeasureCatalogues(const std::vector<SubjectFactory>& subjects,

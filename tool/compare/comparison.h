@@ -42,6 +42,11 @@ std::vector<std::vector<Cell>> CompareFamilies(const SubjectFactory& subject,
 ComparisonTable TableOf(const std::vector<props::Family>& families,
                         const std::vector<Column>& columns, const props::FamilyPlan& plan);
 
+/// Prints the newest subject of the table, unless JSON takes standard output's place, and saves its
+/// worst cases in the folder, unless that is empty.
+void TellNewest(const ComparisonTable& table, const std::vector<Column>& columns,
+                const std::string& json, const std::string& folder);
+
 /// All families: a column for each subject whose profile is about samples, with the folder of its
 /// page beside the report, and for each family a picture of its worst case.
 ///

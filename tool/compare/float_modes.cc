@@ -10,7 +10,7 @@
 #include "fmt/format.h"
 #include "props/compare/float_modes.h"
 #include "tool/interrupt.h"
-#include "tool/outside.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -34,9 +34,9 @@ Cell CompareInMode(const SubjectFactory& factory, Subject& usual, const props::R
     return props::CompareRow(row, {{props::ItselfInMode(subject, mode, option)}}, limits).front();
   };
   if (!way.is_of_host) return cell_of(usual, mode);
-  if (!IsOutside(factory.name())) return {.excused = 1, .why = "it runs in no host"};
+  if (!IsOutside(factory.name())) return {.excused = 1, .why = "it does not run in a host"};
   if (mode == FloatMode::kTrapping) return {.excused = 1, .why = "a host does not start in it"};
-  const std::unique_ptr<Subject> hosted = MakeInHost(factory.name(), {mode, way.where});
+  const std::unique_ptr<Subject> hosted = Kinds().in_host(factory.name(), {mode, way.where});
   hosted->JudgeAs(usual.Info());
   return cell_of(*hosted, FloatMode::kUsual);
 }
@@ -48,8 +48,8 @@ std::vector<FloatMode> ModesNamed(const std::vector<std::string>& names) {
   for (const std::string& name : names) {
     const std::optional<FloatMode> mode = FindFloatMode(name);
     if (!mode || *mode == FloatMode::kUsual) {
-      throw InputError("option --mode", fmt::format("'{}' is no floating-point mode", name),
-                       "give some of ftz, daz, up, down, zero, trap, with commas between");
+      throw InputError("option --mode", fmt::format("'{}' is not a floating-point mode", name),
+                       "give a comma-separated list of ftz, daz, up, down, zero, trap");
     }
     if (!HasFloatMode(*mode)) {
       throw InputError("option --mode", fmt::format("this processor has no mode '{}'", name),

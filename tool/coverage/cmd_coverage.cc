@@ -70,7 +70,7 @@ Scene SnappedFor(const Subject& subject, const Scene& scene, const std::string& 
   const TargetProfile own(subject.Info().profile, scene);
   if (SameModel(profile, own)) return scene;
   if (profile.freedom.MovesVertices()) {
-    throw InputError("--profile " + name, "it leaves open to which grid points vertices snap",
+    throw InputError("--profile " + name, "it does not say to which grid points vertices snap",
                      "name a profile with one grid, such as vulkan-canonical");
   }
   if (!own.snap.IsNone() || profile.scanline_rounding != own.scanline_rounding ||
@@ -121,13 +121,13 @@ int RunAgainst(const CoverageOptions& options) {
   NotePreset(against->Info().profile);
   RequireTakes(*against, scene, options.scene.path);
   if (subject->Info().profile.pattern.samples() != against->Info().profile.pattern.samples()) {
-    throw InputError("--against " + options.against, "the two have different samples per pixel",
-                     "compare subjects of one sample pattern");
+    throw InputError("--against " + options.against, "the subjects differ in samples per pixel",
+                     "compare subjects with one sample pattern");
   }
   // Facings that it does not tell are worked out by the profile that it is compared by.
   if (!options.profile.empty()) subject = MakeSubject(SubjectName(options), options.profile);
-  const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
-  const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
+  const CoverageCounts observed = ShownBy(against->Info(), scene, Draw(*subject, scene));
+  const CoverageCounts expected = ShownBy(subject->Info(), scene, Draw(*against, scene));
   if (!options.png.empty()) {
     io::WriteOutput(options.png,
                     io::EncodeFor(options.png, report::PaintDifference(observed, expected)));
@@ -142,7 +142,7 @@ io::Image Shaded(const CoverageOptions& options, const Scene& scene) {
   const reference::Method* method = reference::FindMethod(SubjectName(options));
   if (method == nullptr) {
     throw InputError(
-        "--subject " + options.subject, "only a method of the reference shades pixels",
+        "--subject " + options.subject, "only methods of the reference shade pixels",
         "choose a method without a suffix from 'rasterproof list subjects', or --mode coverage");
   }
   reference::Needs needs;

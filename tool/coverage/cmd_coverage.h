@@ -8,14 +8,14 @@
 
 namespace rasterproof::tool {
 
-/// What a subject covers, as rows of counts or a picture, or where it differs from another.
+/// A subject's coverage as rows of counts or a picture, or its difference from another's.
 struct CoverageOptions {
   SceneOptions scene;
   std::string subject;  ///< empty: "exact", or "spans-exact" where pixels are shaded
   std::string profile;  ///< empty: "real" for exact, the subject's own otherwise
   std::string output = "-";
   std::string against;  ///< the subject to compare with; empty: none
-  std::string png;      ///< a picture in place of the rows, or beside the comparison; empty: none
+  std::string png;      ///< a picture instead of the rows, or with the comparison; empty: none
   std::string mode = "coverage";  ///< of the picture; flat, barycentrics, depth, wireframe: shaded
   double line_width = 1;
 };

@@ -10,6 +10,7 @@
 #include "io/output.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
+#include "tool/case_choice.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/infer/infer_text.h"
@@ -17,7 +18,6 @@
 #include "tool/outside.h"
 #include "tool/pipe/cmd_rounds.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -35,12 +35,12 @@ std::string_view FacingText(props::FacingReport facing) {
 }
 
 std::string FittingText(const props::Inference& inference) {
-  std::string text = inference.remaining.size() == 1
-                         ? "one model explains every draw\n"
-                         : fmt::format(
-                               "{} models explain every draw; no triangle that was looked "
-                               "for tells them apart\n",
-                               inference.remaining.size());
+  std::string text =
+      inference.remaining.size() == 1
+          ? "one model explains every draw\n"
+          : fmt::format(
+                "{} models explain every draw; no triangle was found that tells them apart\n",
+                inference.remaining.size());
   for (const Profile& profile : inference.remaining)
     text += "  " + props::ModelText(profile) + "\n";
   text += fmt::format("facings          {}\n",
@@ -77,7 +77,7 @@ std::string NoFitText(const props::Inference& inference) {
         fmt::format("differs in       {} of {} samples, {} of {} draws{}\n", nearest->wrong_samples,
                     nearest->samples, nearest->wrong_experiments, nearest->experiments,
                     nearest->wrong_samples == 0 && inference.witness
-                        ? ", where nothing is aimed; in one that was aimed, below"
+                        ? ", drawn at random; in an aimed one, below"
                         : "");
   }
   return text + fmt::format("no model fits    {}\n", inference.message) +
@@ -86,7 +86,7 @@ std::string NoFitText(const props::Inference& inference) {
 
 // "0.01 % of samples".
 std::string ShareText(const props::NearestModel& nearest) {
-  if (nearest.wrong_samples == 0) return "no sample, but in what was aimed at it";
+  if (nearest.wrong_samples == 0) return "no sample of random draws, only in an aimed one";
   return fmt::format("{:.2g} % of samples", 100.0 * static_cast<double>(nearest.wrong_samples) /
                                                 static_cast<double>(nearest.samples));
 }
@@ -187,12 +187,11 @@ int TellInference(const props::Inference& inference, const SubjectInfo& info,
   text += inference.Fits() ? FittingText(inference) : NoFitText(inference);
   text += PlacesText(inference);
   if (inference.witness) {
-    text += CaseText("a case that it draws in another way:", *inference.witness, info.name);
+    text += CaseText("a case that it draws differently:", *inference.witness, info.name);
   }
   if (inference.against_stated) {
-    text +=
-        CaseText("a case that the stated profile draws in another way:", *inference.against_stated,
-                 info.name);
+    text += CaseText("a case that the stated profile draws differently:", *inference.against_stated,
+                     info.name);
   }
   if (!json.empty()) io::WriteOutput(json, ToJson(inference, info));
   if (json != "-") io::WriteStandardOutput(text);

@@ -9,7 +9,7 @@ namespace rasterproof::tool {
 
 struct InferOptions {
   std::string subject = "spans-exact";
-  std::string profile;  ///< stated in place of the subject's own
+  std::string profile;  ///< verified instead of the subject's own
   std::uint64_t seed = 1;
   std::string json;  ///< file; empty: none
 };

@@ -1,4 +1,4 @@
-// What is told of an inference.
+// Prints an inference.
 #ifndef RASTERPROOF_TOOL_INFER_INFER_TEXT_H_
 #define RASTERPROOF_TOOL_INFER_INFER_TEXT_H_
 

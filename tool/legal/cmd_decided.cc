@@ -176,7 +176,7 @@ io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profi
     const bool fits = v[0] >= 0 && v[1] >= 0 && v[2] > 0 && v[3] > 0 && v[2] <= view.x1 - v[0] &&
                       v[3] <= view.y1 - v[1];
     if (!fits) {
-      throw InputError("--view", "it is not within the target",
+      throw InputError("--view", "it leaves the target",
                        fmt::format("choose columns below {} and rows below {}", view.x1, view.y1));
     }
     view = {v[0], v[1], v[0] + v[2], v[1] + v[3]};

@@ -44,7 +44,8 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
                                  profile.name, SearchText(verdict, profile));
   text += "compared: " + judgement.compared + "\n";
   if (open)
-    text += fmt::format("{} samples are open: legal models cover them differently often\n", *open);
+    text += fmt::format("{} samples are open: legal models differ in how often they cover them\n",
+                        *open);
   if (verdict.components != 0) {
     text += fmt::format(
         "with {}: {} components, the largest of {} triangles; {} samples are not judged\n",
@@ -151,7 +152,7 @@ Profile WithAssumptions(Profile profile, const LegalOptions& options) {
   if (profile.freedom.transform_error) {
     throw InputError("--assume-transform-error",
                      fmt::format("profile {} states the error of its transform", profile.name),
-                     "leave it out: an assumption is for a profile that states none");
+                     "leave the option out");
   }
   profile.freedom.transform_error = options.transform_error;
   return profile;
@@ -160,8 +161,8 @@ Profile WithAssumptions(Profile profile, const LegalOptions& options) {
 std::string AssumedErrorLine(const LegalOptions& options) {
   if (!options.transform_error) return "";
   return fmt::format(
-      "assumed, for no specification states it: the transform from clip space puts x and y off by "
-      "at most {} x 2^-24 of their size before they are snapped\n",
+      "assumed, for no specification states it: the transform from clip space moves x and y by at "
+      "most {} x 2^-24 of their size before the snap\n",
       *options.transform_error);
 }
 
@@ -172,17 +173,17 @@ int RunLegal(const LegalOptions& options) {
     throw InputError("legal", "no scene is given", "give a scene file, or --list FILE");
   const int drawings = (options.image.empty() ? 0 : 1) + (options.subject.empty() ? 0 : 1);
   if (options.decided && drawings != 0) {
-    throw InputError("--decided", "it judges no drawing",
+    throw InputError("--decided", "--decided judges no drawing",
                      "leave out --decided, or the image and the subject");
   }
   if (drawings > 1) throw NotOneDrawing();
   if (options.decided && options.profile.empty()) {
-    throw InputError("legal", "the profile whose models are legal is not known",
+    throw InputError("legal", "no profile is given",
                      "give --profile: vulkan, gl, d3d11, webgpu or a file");
   }
   if (!options.facings.empty() && options.image.empty()) {
-    throw InputError("--facings " + options.facings, "a subject or a case tells its own facings",
-                     "give the file of an image, or leave out --facings");
+    throw InputError("--facings " + options.facings, "subjects and cases report their own facings",
+                     "give an image, or leave --facings out");
   }
   if (options.decided) return TellDecided(options);
   if (options.resolved) return JudgeResolved(options);

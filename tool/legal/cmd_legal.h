@@ -18,25 +18,25 @@ struct LegalOptions {
   std::string subject;  ///< empty: `image` is given
   std::string profile;  ///< empty: the subject's own
   std::string background = "000000";
-  bool counts = false;          ///< the levels of a picture are counts
-  bool ids = false;             ///< the numbers of `image` are 1 + ids of triangles
-  std::string facings;          ///< how many of what `image` shows are front-facing; empty: unknown
-  std::string visible = "any";  ///< of those that cover a sample: any, last, first
+  bool counts = false;  ///< the levels of a picture are counts
+  bool ids = false;     ///< `image` holds 1 + ids of triangles
+  std::string facings;  ///< file: how many of `image`'s counts are front-facing; empty: unknown
+  std::string visible = "any";  ///< which covering triangle `image` shows: any, last, first
   std::string list;             ///< file of drawings to judge; empty: one drawing
   std::string junit;            ///< of a list; empty: none
   std::string json;             ///< file; empty: none
-  std::string save;             ///< the part that no model explains, as a case file
-  bool resolved = false;        ///< `image` shows how many of a pixel's samples are covered
-  bool decided = false;         ///< no drawing is judged
-  std::string png;              ///< where legal models differ; empty: none
-  std::string mask;             ///< the same as grey levels of data; empty: none
-  /// In roundings of float32: the profile states none, and the verdict rests on this.
+  std::string save;             ///< case file for the part that no model explains
+  bool resolved = false;        ///< `image` counts covered samples per pixel
+  bool decided = false;         ///< judge no drawing
+  std::string png;              ///< picture of where legal models differ; empty: none
+  std::string mask;             ///< the same as a mask; empty: none
+  /// Assumed where the profile states none; in units of 2^-24 of a coordinate.
   std::optional<double> transform_error = {};
-  std::vector<int> view;  ///< of that picture: column, row, width, height; empty: the target
+  std::vector<int> view;  ///< the picture's part: column, row, width, height; empty: all
   int scale = 1;          ///< side of a pixel in it
 };
 int RunLegal(const LegalOptions& options);
-/// The profile, with the error of the transform from clip space that the options assume.
+/// The profile with the transform error that the options assume.
 Profile WithAssumptions(Profile profile, const LegalOptions& options);
 /// The line that says what is assumed; empty if nothing is.
 std::string AssumedErrorLine(const LegalOptions& options);

@@ -46,11 +46,10 @@ enum class ListResult : std::uint8_t {
 };
 constexpr std::array<std::string_view, 7> kListWords{
     "legal", "known", "not legal", "passes", "expired", "breaks down", "not judged"};
-constexpr std::array<std::string_view, 7> kListCounted{
-    "legal",          "not legal as expected",
-    "not legal",      "legal, though they are expected not to be",
-    "past their day", "broke down",
-    "not judged"};
+constexpr std::array<std::string_view, 7> kListCounted{"legal",          "not legal as expected",
+                                                       "not legal",      "unexpectedly legal",
+                                                       "past their day", "broke down",
+                                                       "not judged"};
 
 struct ListLine {
   std::string name;
@@ -90,20 +89,20 @@ void RequireReadable(const std::vector<ListedDrawing>& list, SubjectsByProfile& 
 
 std::string MendsText(const ListedDrawing& listed) {
   if (!listed.until) return "";
-  return fmt::format("; {} mends it by {}", listed.owner, DayText(*listed.until));
+  return fmt::format("; {} fixes it by {}", listed.owner, DayText(*listed.until));
 }
 
 void CompareWithExpected(const ListedDrawing& listed, bool is_legal,
                          std::chrono::year_month_day today, ListLine& line) {
   if (listed.until && *listed.until < today) {
     line.result = ListResult::kExpired;
-    line.text = fmt::format("{} was to mend it by {}; mend it, or give it another day ({})",
+    line.text = fmt::format("expired: {} was to fix it by {}; fix it or set a later day ({})",
                             listed.owner, DayText(*listed.until), listed.place);
   } else if (listed.is_legal) {
     line.result = is_legal ? ListResult::kLegal : ListResult::kNotLegal;
   } else if (is_legal) {
     line.result = ListResult::kPasses;
-    line.text = fmt::format("it is legal, and expected not to be: {}; take \"expected\" out ({})",
+    line.text = fmt::format("it is legal, but expected to be illegal: {}; remove \"expected\" ({})",
                             listed.reason, listed.place);
   } else {
     line.result = ListResult::kKnown;
@@ -232,7 +231,7 @@ std::string ListXml(const std::vector<ListLine>& lines, const LegalOptions& opti
 
 int JudgeList(const LegalOptions& options) {
   if (!options.scene.path.empty()) {
-    throw InputError("--list", "the list names the scenes, and a scene is given beside it",
+    throw InputError("--list", "the list already names the scenes",
                      "leave out " + options.scene.path);
   }
   io::RequireFileCanBe(options.junit);

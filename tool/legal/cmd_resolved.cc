@@ -47,8 +47,8 @@ struct Found {
 };
 
 constexpr std::string_view kCompared =
-    "how many of a pixel's samples are covered, each pixel by itself: one model need not explain "
-    "all of them, and a sample that is covered twice is not seen";
+    "covered samples of each pixel by itself: they need not share one model, and double coverage "
+    "is not seen";
 
 std::string RangeWords(const PixelRange& range, int samples) {
   return range.least == range.most
@@ -65,8 +65,8 @@ std::string TextOf(const Found& found, const std::vector<PixelRange>& ranges,
                         found.wrong.size(), ranges.size());
   } else if (found.open != 0) {
     text += fmt::format(
-        "no pixel contradicts; of {} of {} pixels legal models cover differently many samples, and "
-        "whether one explains them together is not seen: give counts by sample\n",
+        "no pixel contradicts; legal models differ on {} of {} pixels, and whether one model "
+        "explains them together can't be seen: give counts by sample\n",
         found.open, ranges.size());
   } else {
     text += fmt::format("all {} pixels are as in every legal model\n", ranges.size());
@@ -120,8 +120,7 @@ std::string JsonOf(const Found& found, const std::vector<PixelRange>& ranges,
 
 int JudgeResolved(const LegalOptions& options) {
   if (options.image.empty()) {
-    throw InputError("--resolved", "there is no picture to judge",
-                     "give the file of one after the scene");
+    throw InputError("--resolved", "no picture is given", "give its file after the scene");
   }
   const JudgedScene judged = LoadJudgedScene(options, nullptr);
   const auto& [scene, profile, saved] = judged;

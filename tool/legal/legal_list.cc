@@ -35,7 +35,7 @@ void ReadExpected(const io::JsonValue& object, ListedDrawing& listed) {
     listed.is_legal = io::IndexOf(*expected, kExpected) == 0;
   for (const std::string_view key : {"reason", "owner", "until"}) {
     if (listed.is_legal && object.Find(key)) {
-      throw object.Get(key).Error("is of a drawing that is expected to be illegal",
+      throw object.Get(key).Error("is only for a drawing expected to be illegal",
                                   "write \"expected\": \"illegal\", or leave it out");
     }
   }
@@ -46,7 +46,7 @@ void ReadExpected(const io::JsonValue& object, ListedDrawing& listed) {
   if (!object.Find("owner") && !object.Find("until")) return;
   listed.owner = object.Get("owner").RequireName();
   if (listed.owner.empty())
-    throw object.Get("owner").Error("names nobody", "name who mends the drawing");
+    throw object.Get("owner").Error("names nobody", "name the drawing's owner");
   listed.until = ReadDay(object.Get("until"));
 }
 
@@ -67,7 +67,8 @@ ListedDrawing ReadDrawingEntry(const io::JsonValue& object, const std::filesyste
       return (folder / value.RequireString()).string();
     });
   } else if (const auto facings = object.Find("facings")) {
-    throw facings->Error("is of an image, and none is given", "give \"image\", or leave it out");
+    throw facings->Error("is only for an image, and none is given",
+                         "give \"image\", or leave it out");
   } else if (base.subject.empty()) {
     throw object.Error("has no image, and no subject draws",
                        "give it \"image\", or name --subject, --plugin or --exec");
@@ -95,7 +96,7 @@ std::vector<ListedDrawing> ReadLegalList(const std::string& path, const LegalOpt
   for (const io::JsonValue item : list.RequireArray()) {
     ListedDrawing listed = ReadDrawingEntry(item, std::filesystem::path(path).parent_path(), base);
     if (std::ranges::find(names, listed.name) != names.end()) {
-      throw item.Get("name").Error(Quoted(listed.name) + " is the name of another one too",
+      throw item.Get("name").Error(Quoted(listed.name) + " is used twice",
                                    "give every drawing its own name");
     }
     names.push_back(listed.name);

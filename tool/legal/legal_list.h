@@ -18,7 +18,7 @@ struct ListedDrawing {
   LegalOptions options = {};  ///< the command line's, with what the entry says in their place
   bool is_legal = true;       ///< what is expected
   std::string reason = {};    ///< why it is not legal
-  std::string owner = {};     ///< who mends it; "": nobody has to
+  std::string owner = {};     ///< who fixes it; "": nobody
   std::optional<std::chrono::year_month_day> until = {};  ///< the last day on which that counts
 };
 

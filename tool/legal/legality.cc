@@ -173,8 +173,7 @@ std::string SearchText(const legal::JointVerdict& verdict, const Profile& profil
     case legal::Legality::kNotJudged:
       break;
   }
-  return fmt::format("a component of {} triangles is too large to be judged",
-                     verdict.largest_given_up);
+  return fmt::format("a component of {} triangles is too large to judge", verdict.largest_given_up);
 }
 
 int StatusOf(legal::Legality legality) {
@@ -206,7 +205,7 @@ Profile LegalProfileOf(const LegalOptions& options, const io::CaseFile& file,
   if (file.states_profile && !is_named) return file.value.profile;
   if (subject != nullptr) return subject->Info().profile;
   if (!is_named) {
-    throw InputError("legal", "the profile whose models are legal is not known",
+    throw InputError("legal", "no profile is given",
                      "give --profile: vulkan, gl, d3d11, webgpu or a file");
   }
   return io::ReadProfile(options.profile);
@@ -223,7 +222,7 @@ void PartFacings(const std::vector<std::uint32_t>& fronts, const std::string& pl
     if (fronts[s] > seen) {
       throw InputError(
           place + ": " + PlaceText(s, scene, samples),
-          fmt::format("{} front-facing, and the image shows {} there", fronts[s], seen),
+          fmt::format("{} front-facing, but the image shows {} there", fronts[s], seen),
           drawn.has_counts ? "write how many of the image's count are front-facing"
                            : "write 1 where the image's triangle is front-facing, else 0");
     }
@@ -273,7 +272,7 @@ OneCall DrawingOf(const io::CaseDrawing& saved, const std::string& path, const S
 }  // namespace
 
 InputError NotOneDrawing() {
-  return InputError("legal", "it judges one drawing",
+  return InputError("legal", "there is no drawing, or more than one",
                     "give the file of an image, or --subject, --plugin or --exec, not both, or a "
                     "case that `legal --save` wrote; --decided says what legal models leave open");
 }
@@ -315,7 +314,7 @@ OneCall ReadDrawing(const LegalOptions& options, const JudgedScene& judged) {
   if (options.facings.empty()) return drawn;
   if (drawn.is_picture) {
     throw InputError("--facings " + options.facings,
-                     "the image shows where anything is covered, not how often",
+                     "the image shows where, not how often, samples are covered",
                      "give counts, as text or with --counts, or ids with --ids");
   }
   format.holds = io::FileHolds::kCounts;
@@ -327,13 +326,12 @@ namespace {
 
 std::string ComparedIn(const OneCall& drawn) {
   if (drawn.is_picture)
-    return "covered or not; a sample covered twice is not seen: give counts (or --ids)";
-  if (drawn.is_mask && drawn.has_counts)
-    return "covered or not; a sample covered twice is not seen";
+    return "covered or not; double coverage is not seen: give counts (or --ids)";
+  if (drawn.is_mask && drawn.has_counts) return "covered or not; double coverage is not seen";
   if (drawn.has_counts) return "counts; facings are not seen";
   if (drawn.any_is_visible)
     return "ids: each covers its sample; which of several triangles is on top is not judged";
-  return fmt::format("ids, of several triangles that of the {} one",
+  return fmt::format("ids; of several triangles, the {} one's",
                      drawn.last_is_visible ? "last" : "first");
 }
 
@@ -391,7 +389,7 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
             RequirementText(told[k], LegalValuesOf(core));
   }
   if (all > lines) text += fmt::format("  and {} more\n", all - lines);
-  if (!core.vertices.empty()) text += "they are decided by where these vertices lie:\n";
+  if (!core.vertices.empty()) text += "the positions of these vertices decide them:\n";
   for (std::size_t k = 0; k < core.vertices.size() && k < kMostTold; ++k) {
     const Vertex& v = scene.vertices[core.vertices[k]];
     text += fmt::format("  vertex {} at ({}, {})\n", core.vertices[k], props::HexText(v.x),

@@ -44,7 +44,7 @@ struct JudgedScene {
   std::optional<io::CaseDrawing> drawing = {};  ///< of a case file that holds one
 };
 
-/// What is wrong where there is no drawing to judge, or more than one.
+/// The error for zero or several drawings.
 InputError NotOneDrawing();
 
 /// Loads what the options name: a mesh, a scene or a case. The profile is the options', or the

@@ -155,7 +155,7 @@ int RunList(const ListOptions& options) {
     throw InputError("--json", "only clauses are listed as JSON", "write list clauses --json");
   }
   if (!options.prefix.empty() && options.what != "clauses") {
-    throw InputError(options.prefix, "only of clauses is a part listed",
+    throw InputError(options.prefix, "only clauses can be listed by prefix",
                      "write list clauses " + options.prefix + ", or leave it out");
   }
   if (!options.subject.empty() && options.what != "properties") {

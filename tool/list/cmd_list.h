@@ -10,9 +10,9 @@ struct ListOptions {
   /// "subjects", "properties", "domains", "worlds", "profiles", "mutants", "keys", "clauses", or
   /// "all" but the last two
   std::string what = "all";
-  std::string prefix;   ///< of clauses: those whose ids begin so; empty: all
+  std::string prefix;   ///< of clauses' ids; empty: all
   bool json = false;    ///< of clauses
-  std::string subject;  ///< of properties: those that apply to it; empty: all
+  std::string subject;  ///< list only properties that apply to it; empty: all
 };
 int RunList(const ListOptions& options);
 

@@ -75,7 +75,7 @@ std::vector<Specification> SpecificationsWith(std::string_view prefix) {
     if (!part.clauses.empty() || prefix.empty()) found.push_back(std::move(part));
   }
   if (found.empty()) {
-    throw InputError("list clauses " + std::string(prefix), "no clause's name begins so",
+    throw InputError("list clauses " + std::string(prefix), "no clause has this prefix",
                      fmt::format("clauses begin with {}", fmt::join(apis, ", ")));
   }
   return found;

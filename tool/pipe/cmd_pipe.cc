@@ -34,14 +34,16 @@
 #include "props/run/judge.h"
 #include "props/run/submit.h"
 #include "subjects/process/protocol.h"
+#include "tool/case_choice.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
-#include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/session.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -89,8 +91,8 @@ class Asking final : public FarEnd {
   std::vector<DrawJob> asked_;
 };
 
-// What a program answered, line by line. Behind a bad answer the next one begins where a line says
-// so, however many lines the bad one has.
+// A program's answers, line by line. After a malformed answer, reading resumes at the next answer
+// header.
 class AnswerLines {
  public:
   std::string_view Next() {
@@ -107,13 +109,13 @@ class AnswerLines {
     std::cin.read(bytes_.data(), static_cast<std::streamsize>(count));
     if (static_cast<std::size_t>(std::cin.gcount()) < count) {
       is_short_ = true;
-      BreakDown("what it said ends within an array");
+      BreakDown("its answer ends within an array");
     }
     return bytes_;
   }
   void RequireEndOfAnswer() {
     if (!Peek() || subjects::AnsweredRequest(line_) != 0) return;
-    BreakDown("it said more than its answer: " + Quoted(line_, 60));
+    BreakDown("it printed more than its answer: " + Quoted(line_, 60));
   }
   // The answer to request `id` was a bad one.
   void PassOver(std::uint64_t id) {
@@ -127,9 +129,9 @@ class AnswerLines {
   void RequireAll() const {
     if (is_lost_ || !is_short_) return;
     throw InputError("standard input", "it ends before every request was answered",
-                     "give judge the same options as ask, and flush what the program says");
+                     "give judge the same options as ask, and flush the program's output");
   }
-  // Behind the last answer: more was answered than was asked.
+  // More was answered than was asked.
   void RequireEnd() {
     if (!Peek()) return;
     throw InputError(fmt::format("standard input: line {}", number_),
@@ -187,25 +189,7 @@ class Answering final : public FarEnd {
   AnswerLines lines_;
 };
 
-// The counts of one drawing, whatever is asked: for the picture of a failure.
-class Shown final : public Subject {
- public:
-  Shown(const SubjectInfo& info, CoverageCounts counts) : info_(info), counts_(std::move(counts)) {
-    info_.coverage = CoverageKind::kFacingCounts;
-  }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& /*scene*/, const DrawOptions& /*options*/,
-            CoverageCounts& counts) override {
-    if (counts.size() == counts_.size()) counts += counts_;
-  }
-
- private:
-  SubjectInfo info_;
-  CoverageCounts counts_;
-};
-
-// The answers to all that is asked about a case: to every check, whatever comes of those before it,
-// and to the draw of the whole case, which the picture of a failure shows.
+// Answers to all checks of a case, even after a violation, and to the draw for the picture.
 struct AllAnswers {
   std::vector<Answers> of_checks;  ///< those of their bases not among them
   Answers of_picture;
@@ -269,8 +253,8 @@ const Verdict& JudgeAll(props::CaseJudge& hand, AllAnswers& all) {
 // Shrinks the case with a program that is reached by files alone.
 std::string ShrinkLine(const PipeOptions& options, const std::string& case_name) {
   std::string line = fmt::format(
-      "to shrink it by files, where the program can't be started from here (FOLDER/program.subject "
-      "is its description):\n"
+      "to shrink it by files, if the program can't be started here (FOLDER/program.subject is its "
+      "description):\n"
       "  rasterproof replay --case {} --property {} --shrink small.json --subject rounds:FOLDER",
       ShellWord(case_name), options.property);
   if (!options.profile.empty()) line += " --profile " + ShellWord(options.profile);
@@ -281,7 +265,7 @@ std::string ShrinkLine(const PipeOptions& options, const std::string& case_name)
 void ReportNotExercised(const props::Property& property, std::uint64_t cases,
                         const std::string& why_not) {
   std::cerr << fmt::format("{}: none of {} cases asks for a drawing: {}\n", property.name, cases,
-                           why_not.empty() ? "it was never put to the test" : why_not);
+                           why_not.empty() ? "it was never tested" : why_not);
 }
 
 // A few properties that ask this subject for drawings.
@@ -384,10 +368,11 @@ int RunJudge(const PipeOptions& options) {
         choice.property = property.name;
         choice.profile = options.profile;
         choice.name = c.origin;
-        Shown shown(info, all.of_picture.draws.empty() ? CoverageCounts()
-                                                       : all.of_picture.draws.front()->counts);
-        failures = FailureText(shown, choice.property, c, verdict, CommandFor("replay", choice),
-                               /*colour=*/false) +
+        Verdict seen = verdict;
+        if (!seen.seen && !all.of_picture.draws.empty()) seen.seen = all.of_picture.draws.front();
+        SubjectInfo shown = info;
+        shown.coverage = CoverageKind::kFacingCounts;
+        failures = FailureText(shown, choice.property, c, seen, CommandFor("replay", choice)) +
                    ShrinkLine(options, c.origin);
       }
     }

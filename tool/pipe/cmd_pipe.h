@@ -8,11 +8,11 @@
 
 namespace rasterproof::tool {
 
-/// What goes through a pipe by hand: pipe ask | PROGRAM | pipe judge.
+/// Options of a user's own pipe: pipe ask | PROGRAM | pipe judge.
 struct PipeOptions {
   std::string property = "CoverageEqualsTheModel";
-  std::string description;  ///< file; empty: what is assumed of a program that says nothing
-  std::string profile;      ///< in place of the description's
+  std::string description;  ///< file; empty: the default description
+  std::string profile;      ///< instead of the description's
   props::CampaignOptions campaign;
 };
 int RunAsk(const PipeOptions& options);

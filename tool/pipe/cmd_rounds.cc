@@ -21,6 +21,7 @@
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/infer/infer_text.h"
+#include "tool/load_case.h"
 #include "tool/outside.h"
 #include "tool/pipe/rounds.h"
 #include "tool/resolve.h"
@@ -82,8 +83,7 @@ std::string StatementsOf(const SubjectInfo& info) {
 
 int TellWaiting(const std::string& waits_for) {
   io::WriteStandardOutput(fmt::format(
-      "inconclusive so far: {} is not there yet; let the program write it, then run the same "
-      "command again\n",
+      "inconclusive so far: {} is missing; let the program write it, then repeat this command\n",
       waits_for));
   return kExitInconclusive;
 }
@@ -91,8 +91,8 @@ int TellWaiting(const std::string& waits_for) {
 int TellAsked(Rounds& rounds, std::span<const DrawJob> jobs) {
   const std::size_t number = rounds.Write(jobs);
   io::WriteStandardOutput(fmt::format(
-      "inconclusive so far: round {} asks {} requests in {}; let the program answer them into {}, "
-      "then run the same command again\n",
+      "inconclusive so far: round {} has {} requests in {}; let the program write its answers to "
+      "{}, then repeat this command\n",
       number, jobs.size(), rounds.PathOf(number, "requests"), rounds.PathOf(number, "answers")));
   return kExitInconclusive;
 }
@@ -125,8 +125,7 @@ void RequireShrinkable(const ReplayOptions& options, const LoadedCase& loaded) {
   const props::Property& property = PropertyOf(loaded);
   if (!property.is_about_sequence) return;
   throw InputError(fmt::format("property {}", property.name),
-                   "it is about what one call leaves to the next, and a file of requests is no "
-                   "sequence of calls",
+                   "it needs a sequence of calls, and a file of requests is one call",
                    "shrink it where the program runs: replay --shrink --exec");
 }
 
@@ -151,8 +150,8 @@ int ShrinkInRounds(const ReplayOptions& options) {
     if (const std::optional<int> status = GoOn(rounds, engine)) return *status;
     const Counterexample& found = shrink.result();
     if (found.outcome == Outcome::kViolated) {  // the picture asks, too
-      FailureText(*loaded.subject, std::string(property.name), found.value, found.verdict, "",
-                  /*colour=*/false);
+      Verdict verdict = found.verdict;
+      SeeIfItCan(*loaded.subject, found.value, verdict);
     }
     const std::vector<DrawJob> jobs = engine.answers().TakeWanted();
     return jobs.empty() ? Replay(options, std::move(loaded)) : TellAsked(rounds, jobs);

@@ -107,7 +107,7 @@ void Rounds::RequireTask(std::string_view name, std::string_view value) const {
   const auto it = std::ranges::find(task_, name, [](const auto& item) { return item.first; });
   if (it != task_.end() && it->second == value) return;
   throw InputError(StatePath(), fmt::format("its rounds are about another {}", name),
-                   "give the command that began them, or another folder");
+                   "repeat the command that began them, or give another folder");
 }
 
 void Rounds::ReadState() {
@@ -176,7 +176,7 @@ void Rounds::ReadRound(std::size_t number) {
   const std::string hash = HashText(answers);
   if (!round.hash_of_answers.empty() && hash != round.hash_of_answers) {
     throw InputError(answered, "it changed after it was read",
-                     "put back what was read, or begin again in another folder");
+                     "restore it, or begin again in another folder");
   }
   AnswersText text(answers);
   std::size_t read = 0;
@@ -209,12 +209,12 @@ void Rounds::ReadRound(std::size_t number) {
 void Rounds::Note(const DrawJob& job, const DrawOutcome& outcome, const Place& place) {
   const Place first = first_.try_emplace(Spelled(job), place).first->second;
   if (engine_.answers().Learn(job, outcome)) return;
-  throw ChangedAnswer(fmt::format(
-      "{}: line {}: request {} asks what request {} asked, and the answer differs from the one in "
-      "{}, line {}: the program is not deterministic; let it draw the same again in the same way, "
-      "and begin again in another folder",
-      PathOf(place.round, "answers"), place.line, place.id, first.id,
-      PathOf(first.round, "answers"), first.line));
+  throw ChangedAnswer(
+      fmt::format("{}: line {}: request {} asks what request {} asked, and the answer differs from "
+                  "the one in {}, line {}: the program is not deterministic; make it so, and begin "
+                  "again in another folder",
+                  PathOf(place.round, "answers"), place.line, place.id, first.id,
+                  PathOf(first.round, "answers"), first.line));
 }
 
 std::string Rounds::Spelled(const DrawJob& job) const {
@@ -225,8 +225,8 @@ std::size_t Rounds::Write(std::span<const DrawJob> jobs) {
   io::MakeFolder(folder_);
   const std::string answers = PathOf(rounds_.size() + 1, "answers");
   if (std::filesystem::exists(answers)) {
-    throw InputError(answers, "it is there before anything was asked",
-                     "remove it: it is of other rounds");
+    throw InputError(answers, "it exists before anything was asked",
+                     "remove it: it belongs to other rounds");
   }
   Round& round = rounds_.emplace_back();
   const std::string requests = subjects::RequestsText(last_id_ + 1, jobs, engine_.answers().Info());

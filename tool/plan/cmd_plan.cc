@@ -91,7 +91,7 @@ std::string Measured(const reference::Plan& plan, const Scene& scene, const Prof
 // The cheapest method that is proved to meet the stated error; status 4 if none is.
 int PlanByError(const PlanOptions& options, const Scene& scene) {
   if (options.bench.empty()) {
-    throw InputError("--error", "times are wanted beside it",
+    throw InputError("--error", "it needs times",
                      fmt::format("make them with: rasterproof bench --scene {} --json bench.json; "
                                  "then add --bench bench.json",
                                  options.scene.path));
@@ -110,7 +110,7 @@ int PlanByError(const PlanOptions& options, const Scene& scene) {
       scene.name.empty() ? options.scene.path : ShownName(scene.name), options.error, options.bench,
       bench.families[family].name, bench.families[family].summary, bench.setting.processor);
   text += chosen == choices.end()
-              ? "method      none: no bound that is proved is as small\n"
+              ? "method      none: no proved bound is as small\n"
               : fmt::format("method      {} by {}, {:.1f} ns a triangle\n", chosen->method,
                             chosen->target, chosen->nanoseconds);
   text += fmt::format("  {:<28} {:<8} {:>12} {:>10}  {}\n", "method", "target", "ns/triangle", "px",
@@ -133,8 +133,8 @@ int RunPlan(const PlanOptions& options) {
   const TargetProfile profile(io::ReadProfile(options.profile), scene);
   if (profile.squares) {
     throw InputError("--profile " + options.profile,
-                     "it states whole pixels, and what is planned samples points",
-                     "give a profile of samples");
+                     "its contract is about whole pixels, and plans sample points",
+                     "give a profile of point samples");
   }
   const reference::Needs needs{options.barycentrics, options.depth, options.wireframe};
   const reference::Plan plan = reference::MakePlan(scene, profile, {}, needs);

@@ -17,7 +17,7 @@ struct PlanOptions {
   bool verify = false;
   bool measure = false;
   double error = -1;  ///< pixels that an edge may be off; negative: the plan is exact
-  std::string bench;  ///< file that bench --json wrote: the times, where an error is stated
+  std::string bench;  ///< bench --json file with the times for `error`
 };
 int RunPlan(const PlanOptions& options);
 

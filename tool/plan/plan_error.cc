@@ -99,7 +99,7 @@ std::string BeyondText(double limit) { return fmt::format("a corner lies beyond 
 ProvedError KernelError(library::kernels::KernelMethod kernel, const Scene& scene) {
   using library::kernels::KernelMethod;
   if (kernel == KernelMethod::kExact) return {0, "exact for every finite float32"};
-  if (kernel != KernelMethod::kFixedTiles) return {.why = "no bound is proved of it"};
+  if (kernel != KernelMethod::kFixedTiles) return {.why = "it has no proved bound"};
   const double limit = library::kernels::kFixedRange;
   if (LargestCoordinate(scene) > limit) return {.why = BeyondText(limit)};
   return {SnapDistance(8), "corners on 1/256 px, exact from there"};
@@ -128,7 +128,7 @@ ProvedError ProvedErrorOf(std::string_view name, const Scene& scene) {
     }
   }
   const reference::Method* const method = reference::FindMethod(name);
-  if (method == nullptr) return {.why = "it is not one of this program's methods"};
+  if (method == nullptr) return {.why = "not a method of this program"};
   const SubjectInfo& info = method->info;
   if (LargestCoordinate(scene) > info.profile.coordinate_limit) {
     return {.why = BeyondText(info.profile.coordinate_limit)};
@@ -139,7 +139,7 @@ ProvedError ProvedErrorOf(std::string_view name, const Scene& scene) {
     return {SnapDistance(bits), fmt::format("corners on 1/{} px, exact from there", 1 << bits)};
   }
   if (method->edges == nullptr || method->steps_from_corner) {
-    return {.why = "no bound is proved of its steps down and across"};
+    return {.why = "it has no proved bounds steps down and across"};
   }
   const double largest = LargestOverScene(*method->edges, scene);
   if (std::isnan(largest)) return {.why = "no bound is proved for this scene's edges"};

@@ -14,7 +14,7 @@ struct SelftestOptions {
   std::uint64_t cases = 1000;  ///< most cases a property
   std::string json;
   int jobs = 1;         ///< mutants and variants at once
-  bool causes = false;  ///< of mutants alone: is what explains them found?
+  bool causes = false;  ///< also explain each mutant's violation
 };
 int RunSelftest(const SelftestOptions& options);
 

@@ -10,10 +10,10 @@ namespace rasterproof::tool {
 
 struct SurveyOptions {
   std::string subject = "spans-exact";
-  std::string profile;  ///< stated in place of the subject's own
+  std::string profile;  ///< used instead of the subject's own
   props::CampaignOptions campaign{.cases = 2000};
   std::string json;  ///< file; empty: none
-  std::string save;  ///< folder for the cases found
+  std::string save;  ///< folder for the worst case of each cell that fails
   int jobs = 1;      ///< domains at once
 };
 int RunSurvey(const SurveyOptions& options);

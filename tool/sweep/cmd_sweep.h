@@ -12,7 +12,7 @@ namespace rasterproof::tool {
 struct SweepOptions {
   std::vector<std::string> sources;
   std::string cflags;               ///< words of a shell, for every build
-  std::vector<std::string> builds;  ///< those to compare with the base; empty: the usual list
+  std::vector<std::string> builds;  ///< builds to compare with the base; empty: the usual list
   std::string profile;
   std::uint64_t seed = 1;
   std::uint64_t cases = 200;

@@ -75,7 +75,7 @@ void RequireAffordable(const props::StatedWorld& world, const GenerateOptions& o
   Tell(fmt::format("world {}: {}\n", world.Name(), costs));
   if (cost.bytes > kMostBytes) {
     throw InputError("--world " + options.world, "it has " + costs + ", more than 16 GB",
-                     "give fewer bits: each one less is 64 times fewer triangles");
+                     "give fewer bits: each bit less divides the triangles by 64");
   }
   if (world.Cases() > kMostUnasked && !options.yes) {
     throw InputError("--world " + options.world, "it has " + costs,
@@ -120,8 +120,7 @@ void DrawAll(const GenerateOptions& options, VectorsHeader& header, const Keep& 
     props::DrawVectors(header.profile, choice, take);
   }
   if (header.cases == 0) {
-    throw InputError("profile \"" + header.profile.name + "\"",
-                     "no drawn case can be a vector of it",
+    throw InputError("profile \"" + header.profile.name + "\"", "no drawn case can become a vector",
                      "give a profile whose grid and limits leave room in a target of 64x64");
   }
 }

@@ -14,7 +14,7 @@ struct GenerateOptions {
   int level = 1;
   std::uint64_t cases = 0;       ///< 0: as many as the level has
   std::string world;             ///< "3.2": every triangle of it; empty: drawn cases
-  bool yes = false;              ///< however long that takes
+  bool yes = false;              ///< accept a world of any size
   std::string format = "jsonl";  ///< or "c", "readmemh"
   std::string output = "-";      ///< file; of readmemh a folder
 };
@@ -25,7 +25,7 @@ struct VerifyOptions {
   std::string vectors;
   std::string answers;  ///< file; empty: `subject` draws
   std::string subject;  ///< empty: `answers` is given
-  bool alone = false;   ///< each triangle was drawn in a call of its own
+  bool alone = false;   ///< each triangle was drawn in its own call
   std::uint64_t shown = 20;
 };
 int RunVerify(const VerifyOptions& options);

@@ -30,8 +30,8 @@ void RequireSamplesOf(const SubjectInfo& info, const TestVector& vector) {
   const TargetProfile profile(info.profile, vector.scene);
   if (profile.pattern == vector.pattern && profile.y_axis == vector.y_axis) return;
   throw InputError("subject " + info.name,
-                   "its samples do not lie where those of case " + vector.name +
-                       " do, or its y axis goes the other way",
+                   "its sample locations differ from those of case " + vector.name +
+                       ", or its y axis points the other way",
                    "generate vectors for a profile with its sample locations and y axis");
 }
 
@@ -72,10 +72,10 @@ std::string VectorsText(const std::string& path) {
   std::string text = is_folder ? std::string() : io::ReadFile(path);
   const bool is_table = text.starts_with("//") || text.starts_with("/*");
   if (!is_folder && !is_table) return text;
-  throw InputError(path == "-" ? "standard input" : path,
-                   "verify reads the format jsonl alone, and this was written in another",
-                   "generate it again with the same options and --format jsonl; cases of the same "
-                   "name are the same");
+  throw InputError(
+      path == "-" ? "standard input" : path,
+      "it is not in the format jsonl, the only one that verify reads",
+      "generate it again with the same options and --format jsonl; its cases stay the same");
 }
 
 std::string Plural(std::uint64_t n, const std::string& what) {
@@ -108,7 +108,7 @@ std::string VerdictText(const VectorsVerdict& verdict) {
 
 int RunVerify(const VerifyOptions& options) {
   if (options.answers.empty() == options.subject.empty()) {
-    throw InputError("vectors verify", "there is nothing to judge",
+    throw InputError("vectors verify", "no answers are given",
                      "give a file of answers, or a subject by --subject, --plugin or --exec");
   }
   if (options.vectors == "-" && options.answers == "-") {

@@ -72,7 +72,7 @@ def of_wrong_type(counts):
     if counts.dtype.kind in "bui":
         return ""
     if counts.dtype == object:
-        inside = "None" if counts.ndim == 0 and counts.item() is None else "no array of numbers"
+        inside = "None" if counts.ndim == 0 and counts.item() is None else "not an array of numbers"
         return f"it returned {inside}; return an array of integers"
     return f"it returned {counts.dtype} numbers, not integers"
 

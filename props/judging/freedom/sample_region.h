@@ -1,4 +1,4 @@
-// Where in its pixel a sample may lie, as what was drawn tells it.
+// Where in its pixel a sample may lie, inferred from drawings.
 //
 // Every set here is a little larger than what it stands for, never smaller: each line is moved
 // outwards by more than doubles can be off. A region that is empty is empty, too, in exact numbers.

@@ -26,7 +26,7 @@ class NeighbourPair {
 
   /// The case with no other triangle.
   const PlacedCase& Alone() const { return alone_; }
-  /// Whether nothing is said of the pair: a legal model folds it or flattens it.
+  /// Whether the pair is not judged: a legal model folds or flattens it.
   bool IsOpen() const { return open_.IsFolded() || open_.IsFlat(); }
 
   /// The samples within a pixel of the shared edge that are nearer to it than to any other edge of

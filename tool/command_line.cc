@@ -416,7 +416,8 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
   Kinds() = {{{subjects::IsBuiltin, subjects::MakeBuiltin, subjects::BuiltinNames},
               {subjects::IsMutant, subjects::MakeMutant, nullptr}},
              ResolveOutside,
-             MakeInHost};
+             MakeInHost,
+             InfoOfProgram};
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {

@@ -174,11 +174,11 @@ std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profil
 }
 
 SubjectFactory ResolveSubject(const std::string& name, const std::string& profile, bool device,
-                              std::size_t list_length) {
+                              std::size_t list_length, SubjectMaker make) {
   const std::optional<Profile> by =
       profile.empty() ? std::nullopt : std::optional(io::ReadProfile(profile));
   if (device) RequireLegalSet(by);
-  SubjectMaker make = MakerOf(name, by.value_or(Profile{}));
+  if (!make) make = MakerOf(name, by.value_or(Profile{}));
   if (!make) {
     throw InputError(
         fmt::format("subject '{}'", name), "there is no such subject",

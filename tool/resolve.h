@@ -38,11 +38,13 @@ class SubjectFactory {
 
 /// The subject of that name, judged by another profile than its own ("": its own), with `device` by
 /// that legal set with the numbers that the subject states (FilledIn). Its longest list has
-/// `list_length` triangles before the mesh (0: what the subject's own has).
+/// `list_length` triangles before the mesh (0: what the subject's own has). `make` makes it, if
+/// given, whatever the name means.
 ///
 /// Error:      InputError naming the subjects there are, or what is wrong with the profile.
 SubjectFactory ResolveSubject(const std::string& name, const std::string& profile = "",
-                              bool device = false, std::size_t list_length = 0);
+                              bool device = false, std::size_t list_length = 0,
+                              SubjectMaker make = {});
 
 /// The same, made at once: for a verb that needs one.
 std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile = "",

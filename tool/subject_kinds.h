@@ -12,6 +12,7 @@
 
 #include "core/float_mode.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "subjects/process/limits.h"
 
 namespace rasterproof::tool {
@@ -20,7 +21,7 @@ namespace rasterproof::tool {
 ///   plugin:PATH       a shared library with the interface of kit/rasterproof_plugin.h
 ///   exec:COMMAND      a program that speaks subjects/process/protocol.h, as PlainDescription says
 ///   PATH.subject      a program and what it states (description.h)
-///   rounds:FOLDER     a program that is not at hand, asked by files (pipe/cmd_rounds.h)
+///   rounds:FOLDER     a program that is not at hand, asked by files (pipe/far_program.h)
 inline constexpr std::string_view kPluginPrefix = "plugin:";
 inline constexpr std::string_view kExecPrefix = "exec:";
 inline constexpr std::string_view kRoundsPrefix = "rounds:";
@@ -56,6 +57,8 @@ struct SubjectKinds {
   ///
   /// Domain:     IsOutside(name), and no program.
   std::unique_ptr<Subject> (*in_host)(const std::string& name, const FloatModeOfHost&) = nullptr;
+  /// The description of a program that is not at hand, by its file or, without one, by default.
+  SubjectInfo (*not_at_hand)(const std::string& file) = nullptr;
 };
 
 /// Set once, before a name is resolved: by the command, or by a test with what it needs.

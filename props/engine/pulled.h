@@ -32,7 +32,6 @@
 #include "core/result.h"
 #include "core/subject_info.h"
 #include "props/engine/known_answers.h"
-#include "props/infer/infer.h"
 #include "props/property.h"
 #include "props/run/campaign_options.h"
 #include "props/run/trial.h"
@@ -127,25 +126,6 @@ class PulledShrink final : public PulledWork {
   CampaignOptions options_;
   PulledShrinking shrinking_;
   std::optional<Counterexample> result_;
-};
-
-/// Infer().
-class PulledInfer final : public PulledWork {
- public:
-  explicit PulledInfer(const InferOptions& options) : options_(options) {}
-
-  bool GoOn(KnownAnswers& answers) override;
-  /// Draws that the inference made before one without an answer.
-  PulledProgress progress() const override { return {done_, 0}; }
-  /// Domain: GoOn() was true.
-  const Inference& result() const { return *result_; }
-
- private:
-  void AskAhead(KnownAnswers& answers, std::span<const DrawJob> known) const;
-
-  InferOptions options_;
-  std::uint64_t done_ = 0;
-  std::optional<Inference> result_;
 };
 
 /// Works of one subject, which share its answers and its rounds.

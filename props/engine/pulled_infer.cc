@@ -1,4 +1,6 @@
-// Infer() on answers that arrive later: what it would ask of the likeliest models is asked ahead.
+// What Infer() would ask of the likeliest models is asked ahead.
+#include "props/engine/pulled_infer.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +12,6 @@
 #include "core/coverage.h"
 #include "core/subject_info.h"
 #include "exact/coverage.h"
-#include "props/engine/pulled.h"
 
 namespace rasterproof::props {
 namespace {

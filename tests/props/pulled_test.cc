@@ -17,6 +17,7 @@
 
 #include "core/error.h"
 #include "io/case_file.h"
+#include "props/engine/pulled_infer.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/counterexample.h"

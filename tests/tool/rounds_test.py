@@ -1,9 +1,10 @@
-"""rounds:FOLDER: replay --shrink and infer in rounds as on a pipe, and what is refused.
+"""rounds:FOLDER: check, replay --shrink and infer in rounds as on a pipe, and what is refused.
 
 usage: rounds_test.py PROGRAM SOURCES
 """
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -16,6 +17,7 @@ DRAWS = os.path.join(SOURCES, "tests", "tool", "draws_fast.py")
 PROPERTY = "SharedEdgeSamplesAreCoveredOnce"
 MOST_ROUNDS_OF_SHRINK = 15
 MOST_ROUNDS_OF_INFER = 10
+CHECKED = [PROPERTY, "CoverageEqualsTheModel", "ReversalSwapsFacing", "SamplesLieInTheirPixel"]
 
 
 class Rounds:
@@ -63,7 +65,7 @@ class RoundsTest(unittest.TestCase):
         for name in ("mine.subject", os.path.join("rounds", "program.subject")):
             with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
                 file.write(f"command {sys.executable} {DRAWS} {' '.join(how)}\n"
-                           f"profile {profile}\n")  # fmt: skip
+                           f"name draws\nprofile {profile}\n")  # fmt: skip
 
     def shrink(self, *options):
         return Rounds(self.folder, "replay", os.path.join(SOURCES, "scenes", "ties.json"),
@@ -123,7 +125,54 @@ class RoundsTest(unittest.TestCase):
 
     def test_other_verbs_refuse_the_subject(self):
         self.describe()
-        self.assert_refused(self.run_here("check", "--subject", "rounds:rounds"), "infer")
+        self.assert_refused(self.run_here("survey", "--subject", "rounds:rounds"), "infer")
+
+    def check_both_ways(self, how, *options):
+        """The saved files, the text and the data are those of the direct run."""
+        self.describe(*how)
+        os.mkdir(os.path.join(self.folder, "saved"))
+        chosen = [*(f"--property={name}" for name in CHECKED), "--cases", "12", "--verbose",
+                  *options]  # fmt: skip
+        files = ["--save", "saved", "--json", "found.json", "--cases-json", "cases.json"]
+        verb = Rounds(self.folder, "check", *chosen, *files)
+        done, rounds = verb.to_the_end(*how)
+        self.assertLessEqual(rounds, MOST_ROUNDS_OF_SHRINK)
+        in_rounds = self.take_files()
+        here = self.run_here("check", "--subject", "mine.subject", "--no-cause", *chosen, *files)
+        self.assertEqual(done.returncode, here.returncode, done.stderr)
+        self.assertEqual(done.stdout.replace("rounds:rounds", "mine.subject"), here.stdout)
+        self.assertEqual(in_rounds, self.take_files())
+        return done, in_rounds
+
+    def take_files(self):
+        """What a run wrote, without times and the subject's name; it is there no longer."""
+        saved = os.path.join(self.folder, "saved")
+        paths = [os.path.join(self.folder, name) for name in ("found.json", "cases.json")]
+        paths += [os.path.join(saved, name) for name in sorted(os.listdir(saved))]
+        texts = {}
+        for path in paths:
+            with open(path, encoding="utf-8") as file:
+                text = file.read().replace("rounds:rounds", "mine.subject")
+            texts[path] = re.sub(r'"seconds": [0-9.e-]+', "", text)
+            os.remove(path)
+        return texts
+
+    def test_checks_as_check_does(self):
+        done, files = self.check_both_ways([])
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertEqual(len(files), 2)
+
+    def test_checks_a_wrong_program_as_check_does(self):
+        done, files = self.check_both_ways(["inclusive"])
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertGreater(len(files), 2)
+
+    def test_check_refuses_what_rounds_do_not_give(self):
+        self.describe()
+        ties = os.path.join(SOURCES, "scenes", "ties.json")
+        far = ("check", "--subject", "rounds:rounds")
+        self.assert_refused(self.run_here(*far, ties), "rounds are about one subject")
+        self.assert_refused(self.run_here(*far, "--subject", "exact"), "rounds are about one")
 
     def test_a_case_that_holds_has_nothing_to_shrink(self):
         self.describe()

@@ -5,6 +5,7 @@
 
 #include "io/case_file.h"
 #include "io/json_writer.h"
+#include "props/run/near_edge.h"
 #include "report/grounds.h"
 #include "report/text.h"
 #include "tool/check/causes.h"
@@ -76,6 +77,20 @@ void AddCause(JsonWriter& json, const Findings& found, const props::Cause& cause
 }
 
 }  // namespace
+
+std::string CaseLine(const SubjectInfo& subject, const props::Property& property, const Case& c,
+                     const Verdict& verdict) {
+  JsonWriter json;
+  json.BeginObjectLine();
+  json.Key("subject").Text(subject.name).Key("property").Text(property.name);
+  json.Key("case").Text(c.origin).Key("triangles").Integer(c.scene.triangles.size());
+  json.Key("width").Integer(c.scene.width).Key("height").Integer(c.scene.height);
+  json.Key("near_edges").BeginObject();
+  json.Members(kNearEdgeCounters, props::CountNearEdges(c)).EndObject();
+  json.Key("exercised").Integer(verdict.exercised);
+  json.Key("outcome").Text(OutcomeName(verdict.outcome));
+  return json.EndObject().Finish();
+}
 
 std::string CheckJson(std::span<const Findings> subjects, int status) {
   JsonWriter json;

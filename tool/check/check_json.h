@@ -5,6 +5,10 @@
 #include <span>
 #include <string>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "core/verdict.h"
+#include "props/property.h"
 #include "tool/check/findings.h"
 
 namespace rasterproof::tool {
@@ -12,6 +16,10 @@ namespace rasterproof::tool {
 /// Returns one object with the status of the run and, of each subject, its properties, failures and
 /// causes. Keys are only ever added.
 std::string CheckJson(std::span<const Findings> found, int status);
+
+/// Returns a case and its outcome as a line, for --cases-json.
+std::string CaseLine(const SubjectInfo& subject, const props::Property& property, const Case& c,
+                     const Verdict& verdict);
 
 }  // namespace rasterproof::tool
 

@@ -20,21 +20,21 @@
 #include "core/authority.h"
 #include "core/counters.h"
 #include "core/error.h"
+#include "core/hash_text.h"
 #include "core/quoted.h"
 #include "core/result.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
-#include "io/json_writer.h"
 #include "io/output.h"
 #include "io/scene_file.h"
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
 #include "props/domains/width_inputs.h"
+#include "props/engine/known_answers.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
-#include "props/run/near_edge.h"
 #include "props/run/not_asked.h"
 #include "props/run/property_domains.h"
 #include "report/certificate.h"
@@ -44,6 +44,7 @@
 #include "tool/check/causes.h"
 #include "tool/check/check_json.h"
 #include "tool/check/findings.h"
+#include "tool/check/pulled_runs.h"
 #include "tool/check/resolve_check.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
@@ -51,6 +52,7 @@
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/known_failures.h"
+#include "tool/pipe/far_program.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/resolve_case.h"
@@ -130,21 +132,6 @@ void AskAll(const Crew& crew, const Properties& properties, const Ask& ask, Fail
     }
   }
   if (error) std::rethrow_exception(error);
-}
-
-// A case and its outcome, as a line of JSON.
-std::string CaseLine(const SubjectInfo& subject, const props::Property& property, const Case& c,
-                     const Verdict& verdict) {
-  io::JsonWriter json;
-  json.BeginObjectLine();
-  json.Key("subject").Text(subject.name).Key("property").Text(property.name);
-  json.Key("case").Text(c.origin).Key("triangles").Integer(c.scene.triangles.size());
-  json.Key("width").Integer(c.scene.width).Key("height").Integer(c.scene.height);
-  json.Key("near_edges").BeginObject();
-  json.Members(kNearEdgeCounters, props::CountNearEdges(c)).EndObject();
-  json.Key("exercised").Integer(verdict.exercised);
-  json.Key("outcome").Text(OutcomeName(verdict.outcome));
-  return json.EndObject().Finish();
 }
 
 // One property on generated cases; shows its progress.
@@ -281,14 +268,15 @@ std::optional<Finding> FailsAsSaved(Subject& subject, const props::Property& pro
 }
 
 void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
-                    const CheckOptions& options, FailFast& fail_fast, Progress& progress,
-                    Findings& found) {
+                    const CheckOptions& options, const PulledRuns* pulled, FailFast& fail_fast,
+                    Progress& progress, Findings& found) {
   props::Pace pace;
   const Ask ask = [&](std::size_t worker, const props::Property& property) {
     Subject& own = crew.Of(worker);
     if (auto saved = FailsAsSaved(own, property, asked, options)) return *std::move(saved);
     std::string cases;
     const auto run = [&](const props::World* world) {
+      if (pulled != nullptr) return pulled->Result(property, world, cases);
       return Campaign(own, subject, property, options, progress, worker, pace, cases, world);
     };
     PropertyResult result = run(nullptr);
@@ -370,9 +358,10 @@ std::vector<KnownFailure> KnownOf(std::vector<KnownFailure> known, const Finding
   return known;
 }
 
-// Runs what is asked of one subject. What was found up to an error is printed all the same.
+// Runs what is asked of one subject. What was found up to an error is printed all the same. If
+// `pulled` is given, it has the results of generated cases.
 Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
-               const CheckOptions& options) {
+               const CheckOptions& options, const PulledRuns* pulled = nullptr) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
   Findings found{subject.name(), options.fail_on, crew.Of(0).Info()};
@@ -381,7 +370,7 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
   try {
     Progress progress(crew.size());
     if (asked.cases.empty()) {
-      CheckGenerated(crew, subject, asked, options, fail_fast, progress, found);
+      CheckGenerated(crew, subject, asked, options, pulled, fail_fast, progress, found);
     } else {
       CheckGiven(crew, subject, asked, options, fail_fast, progress, found);
     }
@@ -396,30 +385,27 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
   return found;
 }
 
-}  // namespace
-
-int RunCheck(const CheckOptions& options) {
-  RequireHonestEnvironment();
-  const ResolvedCheck asked = ResolveCheck(options);
+void RequireFiles(const CheckOptions& options) {
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
   io::RequireFileCanBe(options.cases_json);
-  int status = kExitHolds;
   io::RequireFileCanBe(options.json);
+}
+
+void Tell(const ResolvedCheck& asked, const CheckOptions& options, Findings& found) {
+  ApplyKnownFailures(KnownOf(asked.known, found), Today(), found);
+  if (options.json == "-") return;
+  io::WriteStandardOutput(FindingsText(found, options.verbose) + CausesText(found) +
+                          report::AssumptionLines(found.info.profile) + LastLine(found) +
+                          Hint(found.subject, found, options.profile));
+}
+
+// Writes the files. Returns the exit status.
+int WriteAll(const CheckOptions& options, const std::vector<Findings>& all) {
+  int status = kExitHolds;
   std::string cases;
-  std::vector<Findings> all;
-  for (const SubjectFactory& subject : asked.subjects) {
-    if (Interrupted()) break;
-    Findings found = Check(subject, asked, options);
-    for (const Finding& finding : found.all) cases += finding.cases;
-    LookForCauses(subject, options, found);
-    ApplyKnownFailures(KnownOf(asked.known, found), Today(), found);
-    if (options.json != "-") {
-      io::WriteStandardOutput(FindingsText(found, options.verbose) + CausesText(found) +
-                              report::AssumptionLines(found.info.profile) + LastLine(found) +
-                              Hint(subject.name(), found, options.profile));
-    }
+  for (const Findings& found : all) {
     status = WorseStatus(status, StatusOf(found));
-    all.push_back(std::move(found));
+    for (const Finding& finding : found.all) cases += finding.cases;
   }
   if (!options.cases_json.empty()) io::WriteFile(options.cases_json, cases);
   if (Interrupted()) status = WorseStatus(status, kExitInconclusive);
@@ -427,6 +413,60 @@ int RunCheck(const CheckOptions& options) {
   if (!Interrupted()) return status;
   if (options.json != "-") io::WriteStandardOutput("interrupted; results so far:\n");
   return WorseStatus(status, kExitInconclusive);
+}
+
+// check of a program that is not at hand. Causes are found by draws that nobody foresees.
+int CheckInRounds(CheckOptions options) {
+  if (options.subjects.size() != 1 || !options.scenes.empty() || !options.named.empty()) {
+    throw InputError(options.subjects.front(), "rounds are about one subject on generated cases",
+                     "check the others, and given cases, where they run");
+  }
+  constexpr props::RoundSize kOfChecking{.requests = 20000};
+  FarProgram program(options.subjects.front(), options.profile, kOfChecking, options.device,
+                     options.list_length);
+  const SubjectFactory subject(std::exchange(options.subjects, {}).front(), program.Maker());
+  options.jobs = 1;
+  options.no_cause = true;
+  const ResolvedCheck asked = ResolveCheck(options);
+  RequireFiles(options);
+  const PulledRuns runs(program, asked.properties, options);
+  std::string names;
+  for (const props::Property* property : asked.properties) names += property->name;
+  std::optional<Findings> found;
+  const auto ask = [&] {  // saved failures and pictures; saves nothing yet
+    CheckOptions unsaved = options;
+    unsaved.save.clear();
+    found = Check(subject, asked, unsaved, &runs);
+  };
+  const auto tell = [&] {
+    if (!options.save.empty()) found = Check(subject, asked, options, &runs);
+    Tell(asked, options, *found);
+    return WriteAll(options, {*found});
+  };
+  return program.Run("check",
+                     {{"properties", HashText(names)},
+                      {"seed", std::to_string(options.campaign.seed)},
+                      {"number of cases", std::to_string(options.campaign.cases)}},
+                     ask, tell);
+}
+
+}  // namespace
+
+int RunCheck(const CheckOptions& options) {
+  RequireHonestEnvironment();
+  const auto is_far = [](const std::string& name) { return name.starts_with(kRoundsPrefix); };
+  if (std::ranges::any_of(options.subjects, is_far)) return CheckInRounds(options);
+  const ResolvedCheck asked = ResolveCheck(options);
+  RequireFiles(options);
+  std::vector<Findings> all;
+  for (const SubjectFactory& subject : asked.subjects) {
+    if (Interrupted()) break;
+    Findings found = Check(subject, asked, options);
+    LookForCauses(subject, options, found);
+    Tell(asked, options, found);
+    all.push_back(std::move(found));
+  }
+  return WriteAll(options, all);
 }
 
 }  // namespace rasterproof::tool

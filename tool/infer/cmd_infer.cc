@@ -8,6 +8,7 @@
 #include "io/case_file.h"
 #include "io/json_writer.h"
 #include "io/output.h"
+#include "props/engine/pulled_infer.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
 #include "tool/case_choice.h"
@@ -15,9 +16,9 @@
 #include "tool/exit_status.h"
 #include "tool/infer/infer_text.h"
 #include "tool/interrupt.h"
-#include "tool/outside.h"
-#include "tool/pipe/cmd_rounds.h"
+#include "tool/pipe/far_program.h"
 #include "tool/resolve.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -162,6 +163,20 @@ std::string ToJson(const props::Inference& inference, const SubjectInfo& info) {
   }
   json.EndObject();
   return json.Finish();
+}
+
+// Each call infers on the answers of all earlier rounds, and foresees the whole course for each
+// likely model.
+int InferInRounds(const InferOptions& options) {
+  constexpr props::RoundSize kOfInferring{.requests = 4000};
+  FarProgram program(options.subject, options.profile, kOfInferring);
+  RequireSamples(program.Info());
+  props::InferOptions choice;
+  choice.seed = options.seed;
+  const props::PulledInfer& infer = program.Add(std::make_unique<props::PulledInfer>(choice));
+  return program.Run(
+      "infer", {{"seed", std::to_string(options.seed)}}, [] {},
+      [&] { return TellInference(infer.result(), program.Info(), options.json); });
 }
 
 }  // namespace

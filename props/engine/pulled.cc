@@ -165,7 +165,7 @@ bool PulledCheck::GoOn(KnownAnswers& answers) {
   if (property_.is_about_sequence) {
     result_ = NothingRun(answers.Info(), property_, options_.seed, options_.world);
     result_->end = End::kNotApplicable;
-    result_->why = "it is about what one call leaves to the next, and answers have no order";
+    result_->why = "it needs a sequence of calls, and answers have no order";
     Conclude(answers.Info(), property_, *result_);
     return true;
   }

@@ -169,7 +169,8 @@ class FreeChoice final : public Subject {
     const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
     const std::array<Point2, 3> at{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
     const auto width = static_cast<std::size_t>(scene.width);
-    const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(k / width) + 0.5};
+    const std::size_t row = k / width;
+    const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(row) + 0.5};
     const double area = EdgeValue(at[0], at[1], at[2]);
     drawing.depths[k] = 0;
     for (std::size_t i = 0; i < 3; ++i) {

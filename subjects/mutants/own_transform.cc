@@ -124,7 +124,8 @@ class OwnTransform final : public Subject {
       at[i] = {SnapToGrid(v[i].x, info_.profile.snap), SnapToGrid(v[i].y, info_.profile.snap)};
     }
     const auto width = static_cast<std::size_t>(window.width);
-    const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(k / width) + 0.5};
+    const std::size_t row = k / width;
+    const Point2 p{static_cast<double>(k % width) + 0.5, static_cast<double>(row) + 0.5};
     const double area = EdgeValue(at[0], at[1], at[2]);
     drawing.counts.front[k] = 1;
     drawing.primitive_ids[k] = static_cast<std::int32_t>(t);

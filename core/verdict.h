@@ -11,6 +11,7 @@
 
 #include "core/case.h"
 #include "core/coverage.h"
+#include "core/drawing.h"
 #include "core/grids_left.h"
 #include "core/witness.h"
 
@@ -47,6 +48,9 @@ struct Verdict {
   /// The failing scene as it was drawn, if the property changed the case's scene: the witness then
   /// refers to this scene.
   std::shared_ptr<const DrawnScene> drawn = nullptr;
+  /// What the subject drew of the failing scene, `drawn` or the case's own, with counts by facing;
+  /// nullptr if the property did not ask for that.
+  std::shared_ptr<const Drawing> seen = nullptr;
   /// Violated because the subject broke down over the case: nothing is known to be drawn wrong.
   bool broke_down = false;
   /// Samples that the property covers but does not judge, because the subject could legally choose

@@ -23,7 +23,6 @@
 #include "io/scene_json.h"
 #include "report/bench_decision.h"
 #include "report/bench_members.h"
-#include "report/page_parts.h"
 
 namespace rasterproof::report {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "core/bench_result.h"
 #include "core/vertex.h"
-#include "report/page_parts.h"
+#include "report/real_profile.h"
 
 namespace rasterproof::report {
 

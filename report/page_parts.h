@@ -23,9 +23,6 @@ extern const std::string_view kPageScript;
 /// base64(SHA-256(kPageScript)), by which the page's policy allows this script and no other.
 extern const std::string_view kPageScriptHash;
 
-/// The profile of exact real geometry, against which every subject is measured beside its own.
-inline constexpr std::string_view kRealProfile = "real";
-
 /// Tables of more rows, and lists of more pictures, are folded at first.
 inline constexpr std::size_t kMostUnfolded = 12;
 

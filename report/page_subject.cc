@@ -9,6 +9,7 @@
 #include "fmt/format.h"
 #include "report/grounds.h"
 #include "report/page_parts.h"
+#include "report/real_profile.h"
 #include "report/text.h"
 
 namespace rasterproof::report {

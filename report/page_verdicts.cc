@@ -10,6 +10,7 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "report/page_parts.h"
+#include "report/real_profile.h"
 #include "report/text.h"
 
 namespace rasterproof::report {

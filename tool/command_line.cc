@@ -26,6 +26,8 @@
 #include "fmt/format.h"
 #include "report/case_code.h"
 #include "report/text.h"
+#include "subjects/builtin/builtin.h"
+#include "subjects/mutants/mutants.h"
 #include "tool/bench/cmd_bench.h"
 #include "tool/case/cmd_case.h"
 #include "tool/case_choice.h"
@@ -40,6 +42,7 @@
 #include "tool/progress.h"
 #include "tool/selftest/cmd_selftest.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 #include "tool/survey/cmd_survey.h"
 #include "tool/sweep/cmd_sweep.h"
 #include "tool/typed_number.h"
@@ -406,6 +409,10 @@ int RunCommandLine(int argc, char** argv, const std::string& own) {
   // A closed pipe is an error that is reported, not a signal that kills.
   std::signal(SIGPIPE, SIG_IGN);
   OpenStandardFiles();
+  Kinds() = {{{subjects::IsBuiltin, subjects::MakeBuiltin, subjects::BuiltinNames},
+              {subjects::IsMutant, subjects::MakeMutant, nullptr}},
+             ResolveOutside,
+             MakeInHost};
   try {
     return Parse(argc, argv, own);
   } catch (const InputError& error) {

@@ -7,12 +7,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/call_end.h"
+#include "core/drawing.h"
 #include "core/error.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
@@ -223,7 +226,49 @@ Case AsDrawn(const Case& c, const Verdict& verdict) {
   return drawn;
 }
 
-report::Explanation Explain(Subject& subject, const Case& given, const Verdict& verdict,
+namespace {
+
+CoverageCounts BlankTarget(const props::PlacedCase& c) {
+  return {c.scene.width, c.scene.height, c.profile.pattern.samples()};
+}
+
+bool HoldsDrawing(const Verdict& verdict, const CoverageCounts& target) {
+  return (verdict.compared && SameShape(verdict.compared->expected, target)) ||
+         (verdict.seen && SameShape(verdict.seen->counts, target));
+}
+
+// A breakdown has no place.
+bool HasPlace(const Verdict& verdict) {
+  return verdict.compared != nullptr ||
+         (verdict.witness && (verdict.witness->x >= 0 || verdict.witness->triangle >= 0));
+}
+
+}  // namespace
+
+bool HoldsWhatWasSeen(const Verdict& verdict, const Case& c) {
+  return HoldsDrawing(verdict, BlankTarget(props::PlacedCase(AsDrawn(c, verdict))));
+}
+
+void See(Subject& subject, const Case& given, Verdict& verdict) {
+  const props::PlacedCase c(AsDrawn(given, verdict));
+  const CoverageCounts none = BlankTarget(c);
+  if (HoldsDrawing(verdict, none)) return;
+  std::string failure;  // the verdict reports it; the picture then shows that nothing was drawn
+  auto seen = std::make_shared<Drawing>();
+  seen->counts = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
+  verdict.seen = std::move(seen);
+}
+
+void SeeIfItCan(Subject& subject, const Case& c, Verdict& verdict) {
+  if (!HasPlace(verdict)) return;
+  try {
+    See(subject, c, verdict);
+  } catch (const InputError&) {   // it takes no such scene any more
+  } catch (const SubjectStop&) {  // or takes too long over it now
+  }
+}
+
+report::Explanation Explain(const SubjectInfo& subject, const Case& given, const Verdict& verdict,
                             const std::string& replay) {
   const props::PlacedCase c(AsDrawn(given, verdict));
   report::Explanation explanation;
@@ -232,14 +277,13 @@ report::Explanation Explain(Subject& subject, const Case& given, const Verdict& 
   explanation.scene.triangles = c.scene.triangles;
   explanation.pattern = c.profile.pattern;
   explanation.y_axis = c.profile.y_axis;
-  const CoverageCounts none(c.scene.width, c.scene.height, c.profile.pattern.samples());
+  const CoverageCounts none = BlankTarget(c);
   if (verdict.compared && SameShape(verdict.compared->expected, none)) {
     explanation.expected = verdict.compared->expected;
     explanation.observed = verdict.compared->observed;
   } else {
     explanation.expected = ShownBy(subject, c.scene, exact::Coverage(c, c.options));
-    std::string failure;  // the verdict reports it; the picture then shows that nothing was drawn
-    explanation.observed = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
+    explanation.observed = HoldsDrawing(verdict, none) ? verdict.seen->counts : none;
   }
   const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);
   const bool witness = verdict.witness && verdict.witness->x >= 0 && verdict.witness->y >= 0;
@@ -281,12 +325,13 @@ Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info) {
   return verdict;
 }
 
-std::string FailureLine(const std::string& property, const Case& given, const Verdict& verdict) {
+std::string FailureLine(const SubjectInfo& subject, const std::string& property, const Case& given,
+                        const Verdict& verdict) {
   const Case c = AsDrawn(given, verdict);
   std::string line = property.empty() ? "coverage" : property;
   line += ": ";
   if (verdict.witness) {
-    const Witness& w = *verdict.witness;
+    const Witness w = *WithCountsAsGiven(verdict, subject).witness;
     if (w.triangle >= 0 && static_cast<std::size_t>(w.triangle) < c.scene.triangles.size()) {
       line += fmt::format("triangle {}", w.triangle);
       const auto corners =
@@ -322,32 +367,26 @@ std::string DrawnLine(const Case& c, const Verdict& verdict) {
 
 namespace {
 
-// A breakdown has no place; a scene that the oracle does not decide has no picture, and there is
-// none of a subject that takes too long over it now.
-std::string PictureText(Subject& subject, const Case& c, const Verdict& verdict,
-                        const std::string& replay, bool colour) {
-  const bool has_place =
-      verdict.compared != nullptr ||
-      (verdict.witness && (verdict.witness->x >= 0 || verdict.witness->triangle >= 0));
+// A scene that the oracle does not decide has no picture.
+std::string PictureText(const SubjectInfo& subject, const Case& c, const Verdict& verdict,
+                        const std::string& replay) {
   const std::string no_picture = replay.empty() ? "" : "replay: " + replay + "\n";
-  if (!has_place) return no_picture;
+  if (!HasPlace(verdict)) return no_picture;
   try {
-    return report::ExplanationToText(Explain(subject, c, verdict, replay), colour);
+    if (!HoldsWhatWasSeen(verdict, c)) return no_picture;
+    return report::ExplanationToText(Explain(subject, c, verdict, replay), /*colour=*/false);
   } catch (const InputError&) {
-    return no_picture;
-  } catch (const SubjectStop&) {
     return no_picture;
   }
 }
 
 }  // namespace
 
-std::string FailureText(Subject& subject, const std::string& property, const Case& c,
-                        const Verdict& verdict, const std::string& replay, bool colour) {
-  std::string text = FailureLine(property, c, WithCountsAsGiven(verdict, subject.Info())) + "\n" +
-                     SceneLine(c) + "\n";
+std::string FailureText(const SubjectInfo& subject, const std::string& property, const Case& c,
+                        const Verdict& verdict, const std::string& replay) {
+  std::string text = FailureLine(subject, property, c, verdict) + "\n" + SceneLine(c) + "\n";
   text += DrawnLine(c, verdict);
-  text += PictureText(subject, c, verdict, replay, colour);
+  text += PictureText(subject, c, verdict, replay);
   if (!text.ends_with('\n')) text += '\n';
   return text;
 }

@@ -17,11 +17,23 @@ namespace rasterproof::tool {
 /// own.
 Case AsDrawn(const Case& c, const Verdict& verdict);
 
+/// Whether the verdict holds what the subject drew of the failing scene.
+bool HoldsWhatWasSeen(const Verdict& verdict, const Case& c);
+/// Adds to the verdict what the subject draws of the failing scene, if the verdict does not hold it
+/// yet: a blank target if it breaks down over it now.
+///
+/// Domain:     a case that the subject takes.
+/// Error:      SubjectStop if there is no drawing; InputError if the target is too large.
+void See(Subject& subject, const Case& c, Verdict& verdict);
+/// See(), for a verdict that has a place to show. Without a drawing there will be no picture.
+void SeeIfItCan(Subject& subject, const Case& c, Verdict& verdict);
+
 /// Expected and observed coverage of what was drawn, around the witness, with the exact edge values
 /// there.
 ///
-/// Domain:     a case that the subject takes.
-report::Explanation Explain(Subject& subject, const Case& c, const Verdict& verdict,
+/// Domain:     a verdict that holds what was seen; no more than a blank target is shown of others.
+/// Error:      InputError if the oracle does not decide the scene.
+report::Explanation Explain(const SubjectInfo& subject, const Case& c, const Verdict& verdict,
                             const std::string& replay);
 
 /// The verdict with the witness's counts as the subject gave them: without facings if it shows none
@@ -30,7 +42,8 @@ Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info);
 
 /// "property: triangle 0 (0x1p+0, 0x0p+0) ... => observed 2, expected 1; why". What the verdict
 /// does not tell is left out.
-std::string FailureLine(const std::string& property, const Case& c, const Verdict& verdict);
+std::string FailureLine(const SubjectInfo& subject, const std::string& property, const Case& c,
+                        const Verdict& verdict);
 
 /// The case's scene in one line, which a scene file may hold as it is: hex coordinates, triangles;
 /// and how it was drawn, where that is not the plain way. Says only how large it is where that is
@@ -44,10 +57,10 @@ std::string InOneLine(const std::string& json);
 /// drew the case itself.
 std::string DrawnLine(const Case& c, const Verdict& verdict);
 
-/// The line, the scene, what was drawn, the picture if there is a place to show, and the replay
+/// The line, the scene, what was drawn, the picture if the verdict holds one, and the replay
 /// command.
-std::string FailureText(Subject& subject, const std::string& property, const Case& c,
-                        const Verdict& verdict, const std::string& replay, bool colour);
+std::string FailureText(const SubjectInfo& subject, const std::string& property, const Case& c,
+                        const Verdict& verdict, const std::string& replay);
 
 }  // namespace rasterproof::tool
 

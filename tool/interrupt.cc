@@ -6,14 +6,13 @@
 #include <atomic>
 #include <cstddef>
 
-#include "subjects/process/groups.h"
-
 namespace rasterproof::tool {
 namespace {
 
 constexpr std::array<int, 3> kSignals{SIGINT, SIGTERM, SIGHUP};
 
 std::atomic<int> arrived{0};
+void (*once_arrived)() noexcept = nullptr;
 std::array<std::atomic<bool>, kSignals.size()> caught{};  // those that the parent did not ignore
 
 void OnSignal(int number) {
@@ -21,12 +20,13 @@ void OnSignal(int number) {
   for (std::size_t k = 0; k < kSignals.size(); ++k) {
     if (kSignals[k] != number && caught[k]) signal(kSignals[k], SIG_DFL);
   }
-  subjects::Interrupt();
+  once_arrived();
 }
 
 }  // namespace
 
-void CatchInterrupts() {
+void CatchInterrupts(void (*then)() noexcept) {
+  once_arrived = then;
   for (std::size_t k = 0; k < kSignals.size(); ++k) {
     const int number = kSignals[k];
     struct sigaction before{};

@@ -4,10 +4,11 @@
 
 namespace rasterproof::tool {
 
-/// From here on the first SIGINT, SIGTERM or SIGHUP sets Interrupted() and kills the subjects
-/// outside; a caller that waits for their answers gets kTooSlow. The second one ends the command at
-/// once. A signal that was ignored when the command started stays ignored.
-void CatchInterrupts();
+/// From here on the first SIGINT, SIGTERM or SIGHUP sets Interrupted() and calls `then` in the
+/// handler, such as subjects::Interrupt, which kills the subjects outside: a caller that waits for
+/// their answers gets kTooSlow. The second one ends the command at once. A signal that was ignored
+/// when the command started stays ignored.
+void CatchInterrupts(void (*then)() noexcept);
 
 /// Whether SIGINT, SIGTERM or SIGHUP has arrived: end soon, and say what is known so far.
 bool Interrupted() noexcept;

@@ -2,7 +2,7 @@
 
 #include "kit/main.h"
 #include "tool/command_line.h"
-#include "tool/outside.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::kit {
 

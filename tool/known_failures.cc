@@ -126,16 +126,14 @@ void ApplyKnownFailures(const std::vector<KnownFailure>& known, year_month_day t
     bool was_asked = false;
     bool is_violated = false;
     bool is_judged = false;
-    for (std::size_t k = 0; k < found.all.size(); ++k) {
-      Finding& finding = found.all[k];
+    for (Finding& finding : found.all) {
       if (finding.result.property != entry.property) continue;
       was_asked = true;
       is_judged = is_judged || finding.result.outcome == Outcome::kHolds;
       if (finding.result.outcome != Outcome::kViolated) continue;
-      const props::Cause* cause = CauseOf(found, k);
-      if (!entry.cause.empty() && (cause == nullptr || NameOfCause(*cause) != entry.cause)) {
-        continue;
-      }
+      const std::string cause =
+          finding.cause ? NameOfCause(found.causes.all[*finding.cause]) : std::string();
+      if (!entry.cause.empty() && cause != entry.cause) continue;
       is_violated = true;
       finding.is_known = true;
     }

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <utility>
 
 #include "core/error.h"
@@ -22,13 +21,6 @@
 
 namespace rasterproof::tool {
 namespace {
-
-using Makers = std::map<std::string, std::function<std::unique_ptr<Subject>()>>;
-
-Makers& OwnMakers() {
-  static Makers makers;
-  return makers;
-}
 
 std::string ThisProgram() { return std::filesystem::read_symlink("/proc/self/exe").string(); }
 
@@ -108,11 +100,10 @@ subjects::LoadedPlugin MakeHere(const std::string& name) {
   if (name.starts_with(kPluginPrefix)) {
     return subjects::LoadPlugin(name.substr(kPluginPrefix.size()));
   }
-  const auto own = OwnMakers().find(name);
-  if (own == OwnMakers().end()) {
+  std::unique_ptr<Subject> subject = MakeOwn(name);
+  if (!subject) {
     throw InputError("pipe answer " + name, "there is no such subject", "give plugin:PATH");
   }
-  std::unique_ptr<Subject> subject = own->second();
   std::string profile = io::ProfileToJson(subject->Info().profile);
   if (profile.starts_with('"')) profile = subject->Info().profile.name;
   return {std::move(subject), profile};
@@ -151,32 +142,8 @@ void SayAll(int file, const std::string& text) {
 
 }  // namespace
 
-subjects::ProcessLimits& OutsideLimits() {
-  static subjects::ProcessLimits limits;
-  return limits;
-}
-
-void RegisterOwn(const std::string& name, std::function<std::unique_ptr<Subject>()> make) {
-  OwnMakers()[name] = std::move(make);
-}
-
-std::vector<std::string> OwnNames() {
-  std::vector<std::string> names;
-  for (const auto& maker : OwnMakers()) names.push_back(maker.first);
-  return names;
-}
-
-bool NamesWhatToRun(std::string_view name) {
-  return name.starts_with(kPluginPrefix) || name.starts_with(kExecPrefix) ||
-         name.ends_with(kDescriptionEnding);
-}
-
-bool IsOutside(std::string_view name) {
-  return NamesWhatToRun(name) || OwnMakers().contains(std::string(name));
-}
-
 SubjectMaker ResolveOutside(const std::string& name) {
-  if (name.starts_with(kPluginPrefix) || OwnMakers().contains(name)) return Hosted(name, {});
+  if (name.starts_with(kPluginPrefix) || IsOwn(name)) return Hosted(name, {});
   if (name.starts_with(kExecPrefix)) {
     ProgramDescription description = PlainDescription();
     description.command = name.substr(kExecPrefix.size());

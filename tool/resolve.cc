@@ -23,14 +23,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/renamed.h"
-#include "props/domains/domain.h"
-#include "props/domains/worlds.h"
-#include "props/run/property_domains.h"
-#include "subjects/builtin/builtin.h"
-#include "subjects/mutants/mutants.h"
-#include "tool/outside.h"
 #include "tool/progress.h"
-#include "tool/session.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {
@@ -114,14 +107,11 @@ SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
   if (IsOracle(name)) {
     MakeOracle(name, of_oracle);  // throws if it can't decide by this profile
     make = [name, of_oracle] { return MakeOracle(name, of_oracle); };
-  } else if (subjects::IsBuiltin(name)) {
-    make = [name] { return subjects::MakeBuiltin(name); };
-  } else if (subjects::IsMutant(name)) {
-    make = [name] { return subjects::MakeMutant(name); };
+  } else if (const SubjectKind* kind = BuiltInKind(name)) {
+    make = [name, kind] { return kind->make(name); };
   }
-  if (!make) return ResolveOutside(name);
-  const std::vector<std::string> own = OwnNames();
-  if (std::ranges::find(own, name) == own.end()) return make;
+  if (!make) return Kinds().outside == nullptr ? SubjectMaker() : Kinds().outside(name);
+  if (!IsOwn(name)) return make;
   throw InputError(fmt::format("subject '{}'", name),
                    "a type of your own has the name of one of rasterproof's subjects",
                    "rename the type");
@@ -130,9 +120,7 @@ SubjectMaker MakerOf(const std::string& name, const Profile& of_oracle) {
 }  // namespace
 
 bool IsOurs(const std::string& name) {
-  const std::vector<std::string> own = OwnNames();
-  return IsOracle(name) || subjects::IsBuiltin(name) || subjects::IsMutant(name) ||
-         std::ranges::find(own, name) != own.end();
+  return IsOracle(name) || BuiltInKind(name) != nullptr || IsOwn(name);
 }
 
 bool IsOracle(std::string_view name) {
@@ -140,7 +128,7 @@ bool IsOracle(std::string_view name) {
 }
 
 std::vector<std::string> SubjectNames() {
-  std::vector<std::string> names = subjects::BuiltinNames();
+  std::vector<std::string> names = BuiltInNames();
   for (const auto& oracle : kOracles) names.emplace_back(oracle.first);
   for (const std::string& own : OwnNames()) names.push_back(own);
   return names;
@@ -221,46 +209,6 @@ SubjectFactory ResolveSubject(const std::string& name, const std::string& profil
 std::unique_ptr<Subject> MakeSubject(const std::string& name, const std::string& profile,
                                      std::size_t list_length) {
   return ResolveSubject(name, profile, /*device=*/false, list_length).Make();
-}
-
-const props::Property& RequireProperty(const std::string& name) {
-  if (const props::Property* property = props::FindProperty(name)) return *property;
-  std::vector<std::string> names;
-  for (const props::Property& property : props::Catalog()) names.emplace_back(property.name);
-  throw InputError(
-      fmt::format("property '{}'", name), "there is no such property" + io::RenamedText(name),
-      Suggestion(name, names) + "'rasterproof list properties' names all that there are");
-}
-
-const props::World& RequireWorld(const std::string& place, const std::string& name) {
-  if (const props::World* world = props::FindWorld(name)) return *world;
-  std::vector<std::string_view> names;
-  for (const props::World& world : props::Worlds()) names.push_back(world.name);
-  throw InputError(place, "there is no world " + Printable(name),
-                   Suggestion(name, names) + "'rasterproof list worlds' names all that there are");
-}
-
-CaseName RequireCaseName(const std::string& name) {
-  CaseName parsed = props::ParseCaseName(name);
-  if (props::FindDomain(parsed.domain) == nullptr && props::FindWorld(parsed.domain) == nullptr) {
-    std::vector<std::string> names;
-    for (const props::Domain& domain : props::Domains()) names.emplace_back(domain.name);
-    for (const props::World& world : props::Worlds()) names.emplace_back(world.name);
-    throw InputError(
-        fmt::format("case '{}'", name),
-        fmt::format("there is no domain or world '{}'{}", parsed.domain,
-                    io::RenamedText(parsed.domain)),
-        Suggestion(parsed.domain, names) + "'rasterproof list domains' and 'list worlds' name all");
-  }
-  return parsed;
-}
-
-Case CaseFor(const Subject& subject, const GivenCase& given) {
-  if (given.name) return props::DrawCase(subject.Info(), *given.name);
-  Case c = given.value;
-  c.profile = subject.Info().profile;
-  RequireTakes(subject, c.scene, given.place);
-  return c;
 }
 
 }  // namespace rasterproof::tool

@@ -1,24 +1,20 @@
-// Resolves what a command line asks for, once: names to subjects, profiles, properties and cases. A
-// wrong name is an error before anything runs.
+// Resolves which subject a command line asks for, once: its name and the profile that it is judged
+// by. A wrong name is an error before anything runs. Names of properties and cases are resolved by
+// tool/resolve_case.h.
 #ifndef RASTERPROOF_TOOL_RESOLVE_H_
 #define RASTERPROOF_TOOL_RESOLVE_H_
 
 #include <cstddef>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/case.h"
 #include "core/profile.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "props/domains/case_name.h"
-#include "props/domains/worlds.h"
-#include "props/property.h"
-#include "tool/outside.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 
@@ -72,31 +68,6 @@ bool IsOracle(std::string_view name);
 
 /// The oracle as a subject ("exact", "exact-integers", "exact-cgal") that models the profile.
 std::unique_ptr<Subject> MakeOracle(std::string_view name, const Profile& profile);
-
-/// Error:      InputError naming the properties there are.
-const props::Property& RequireProperty(const std::string& name);
-
-/// Error:      InputError at the place, with the world that may be meant.
-const props::World& RequireWorld(const std::string& place, const std::string& name);
-
-/// Reads the name of a drawn case, "near-edge:17@1".
-///
-/// Error:      InputError that says what is wrong with it, with the domain that may be meant.
-CaseName RequireCaseName(const std::string& name);
-
-/// A case that the user names: by its file, which is read, or by its own name, which stands for a
-/// case together with a subject.
-struct GivenCase {
-  std::string place;  ///< as the user gave it
-  Case value;
-  std::optional<CaseName> name;
-  bool states_profile = false;  ///< its file says by what model it was judged
-};
-
-/// The given case as it is put to the subject: judged by the subject's profile.
-///
-/// Error:      InputError if the subject does not take its scene.
-Case CaseFor(const Subject& subject, const GivenCase& given);
 
 }  // namespace rasterproof::tool
 

@@ -13,6 +13,7 @@
 #include "tool/pipe/cmd_pipe.h"
 #include "tool/plan/cmd_plan.h"
 #include "tool/scene_source.h"
+#include "tool/subject_kinds.h"
 #include "tool/typed_number.h"
 #include "tool/vectors/cmd_vectors.h"
 #include "tool/verb_options.h"

@@ -1,65 +1,26 @@
-// What several verbs share: reading cases, drawing them, and commands to type again. Scenes are
-// read by tool/scene_source.h.
-// Names of subjects, profiles and properties are resolved by tool/resolve.h.
+// What verbs ask of a subject: draws and campaigns. Cases are read by tool/load_case.h, scenes by
+// tool/scene_source.h.
 #ifndef RASTERPROOF_TOOL_SESSION_H_
 #define RASTERPROOF_TOOL_SESSION_H_
 
-#include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "core/case.h"
+#include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
-#include "io/case_file.h"
-#include "props/domains/case_name.h"
-#include "props/property.h"
-#include "props/run/campaign.h"
-#include "tool/case_choice.h"
-#include "tool/outside.h"
+#include "props/run/campaign_options.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
-
-/// A saved or generated case with the subject and the property it is about.
-struct LoadedCase {
-  Case value;
-  std::unique_ptr<Subject> subject;
-  const props::Property* property = nullptr;  ///< nullptr: none was named
-  std::string replay;                         ///< the command that loads it again
-  /// The file, if it holds a drawing that no subject drew, and no subject is to draw its scene:
-  /// then nothing else is set.
-  std::optional<io::CaseFile> drawing = std::nullopt;
-};
-/// A subject that only the file names is one of this program's own: the built-in ones, the oracle,
-/// planted bugs and legal variants, the type of kit/main.h. Any other is for the user to name.
-///
-/// Returns:    the case. `make` makes its subject, if given, in place of the one of the choice's
-///             name.
-/// Error:      InputError if the choice is of no case or of two, or lacks what its case needs; with
-///             the command to type where the file names a subject outside.
-LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
-                             const SubjectMaker& make = {});
-/// The same, of a case that a subject draws.
-LoadedCase LoadCase(const CaseChoice& choice, std::string_view verb, const SubjectMaker& make = {});
-
-/// The option that names the subject on a command line, quoted for a shell: "--exec './a b'".
-std::string SubjectOption(const std::string& name);
-
-/// True of a case that is given as JSON in place of its path.
-bool IsCaseText(const std::string& path);
-
-/// The command that runs the verb on the choice's case, quoted for a shell.
-std::string CommandFor(std::string_view verb, const CaseChoice& choice);
 
 /// Draws the scene on fresh counts of the subject's shape, by facing.
 CoverageCounts Draw(Subject& subject, const Scene& scene, const DrawOptions& options = {});
 
 /// What a draw of the scene by the subject can show of these counts: whether a sample is covered
 /// where the draw is judged as it is shown (props/judging/as_shown.h), else all of it.
-CoverageCounts ShownBy(Subject& subject, const Scene& scene, CoverageCounts counts);
+CoverageCounts ShownBy(const SubjectInfo& subject, const Scene& scene, CoverageCounts counts);
 
 /// Draws, or gives nothing if the subject breaks down over it; then `reason` says how.
 std::optional<CoverageCounts> DrawUnlessItFails(Subject& subject, const Scene& scene,

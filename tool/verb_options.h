@@ -10,7 +10,8 @@
 #include <string_view>
 
 #include "CLI/CLI.hpp"
-#include "props/run/campaign.h"
+#include "props/run/campaign_options.h"
+#include "subjects/process/groups.h"
 #include "tool/interrupt.h"
 
 namespace rasterproof::tool {
@@ -54,7 +55,7 @@ inline constexpr std::string_view kCaseHelp =
 /// as programs do.
 template <typename Options>
 int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
-  CatchInterrupts();
+  CatchInterrupts(subjects::Interrupt);
   const int status = verb(options);
   return Interrupted() ? InterruptStatus() : status;
 }

@@ -174,7 +174,7 @@ void Investigation::Take(Cause cause) {
       open_.erase(k);
     }
   }
-  if (!cause.rests_on_few) found_.causes.push_back(std::move(cause));
+  if (!cause.rests_on_few) found_.all.push_back(std::move(cause));
 }
 
 // Sound suspects of which each wrong draw is reproduced by one, the one of most draws first; with
@@ -282,18 +282,18 @@ void Investigation::FindRest() {
       cause.name = "shown-values";
       cause.what = {std::string(failures_[k].property->group)};
     }
-    const auto same = std::ranges::find_if(found_.causes, [&](const Cause& other) {
+    const auto same = std::ranges::find_if(found_.all, [&](const Cause& other) {
       return other.kind == cause.kind && other.name == cause.name && other.what == cause.what;
     });
-    if (same != found_.causes.end()) {
+    if (same != found_.all.end()) {
       same->properties.push_back(k);
     } else {
-      found_.causes.push_back(std::move(cause));
+      found_.all.push_back(std::move(cause));
     }
   }
 }
 
-Explanation Investigation::Run() {
+Causes Investigation::Run() {
   subject_ = make_();
   Gathered gathered = Gather(*subject_, failures_, kGatheringShare * seconds_);
   observations_ = std::move(gathered.observations);
@@ -312,14 +312,14 @@ Explanation Investigation::Run() {
   FindRest();
   // clang calls what std::stable_sort uses deprecated.
   std::vector<std::pair<std::pair<bool, std::size_t>, std::size_t>> order;
-  for (std::size_t k = 0; k < found_.causes.size(); ++k) {
-    const Cause& cause = found_.causes[k];
+  for (std::size_t k = 0; k < found_.all.size(); ++k) {
+    const Cause& cause = found_.all[k];
     order.push_back({{cause.name.empty(), failures_.size() - cause.properties.size()}, k});
   }
   std::ranges::sort(order);
   std::vector<Cause> sorted;
-  for (const auto& [rank, k] : order) sorted.push_back(std::move(found_.causes[k]));
-  found_.causes = std::move(sorted);
+  for (const auto& [rank, k] : order) sorted.push_back(std::move(found_.all[k]));
+  found_.all = std::move(sorted);
   return std::move(found_);
 }
 
@@ -327,8 +327,8 @@ bool AreFewScenes(CauseKind kind, std::size_t explained, std::size_t wrong) {
   return explained < kFewestScenes && (kind == CauseKind::kModel || 2 * explained < wrong);
 }
 
-Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
-                    double seconds) {
+Causes FindCauses(const MakesSubject& make, std::span<const FailedProperty> failures,
+                  double seconds) {
   if (failures.empty()) return {};
   return Investigation(make, failures, seconds).Run();
 }

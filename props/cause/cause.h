@@ -50,8 +50,8 @@ struct Cause {
 bool AreFewScenes(CauseKind kind, std::size_t explained, std::size_t wrong);
 
 /// Causes of violations, those with a name first, and of these the one of most properties.
-struct Explanation {
-  std::vector<Cause> causes;
+struct Causes {
+  std::vector<Cause> all;
   std::size_t suspects = 0;   ///< that were compared with the draws
   bool is_cut_short = false;  ///< time was up before all was drawn and compared
   std::size_t draws = 0;      ///< of the subject
@@ -81,8 +81,8 @@ using MakesSubject = std::function<std::unique_ptr<Subject>()>;
 /// Cost:       some hundreds of draws of the subject, and at most `seconds`, shared out as those of
 ///             kCauseSeconds: is_cut_short says if they were not enough. A circumstance takes as
 ///             long as the subject takes for some dozens of draws more.
-Explanation Explain(const MakesSubject& make, std::span<const FailedProperty> failures,
-                    double seconds = kCauseSeconds);
+Causes FindCauses(const MakesSubject& make, std::span<const FailedProperty> failures,
+                  double seconds = kCauseSeconds);
 
 /// What was changed about a wrong draw that made it right.
 struct Circumstance {

@@ -65,6 +65,17 @@ bool IsOpen(const PlacedCase& c) {
 
 }  // namespace
 
+std::optional<FailedProperty> FailedBy(const PropertyResult& result, const SubjectInfo& subject) {
+  if (result.outcome != Outcome::kViolated || !result.counterexample) return std::nullopt;
+  const Counterexample& found = *result.counterexample;
+  if (found.verdict.outcome != Outcome::kViolated || found.verdict.broke_down) return std::nullopt;
+  FailedProperty failure{FindProperty(result.property), {found.value}};
+  if (failure.property == nullptr) return std::nullopt;
+  if (found.value.name && !found.failing_case.empty())
+    failure.cases.push_back(DrawCase(subject, *found.value.name));
+  return failure;
+}
+
 bool IsModelled(const Observation& o, const SubjectInfo& info) {
   return !IsOpen(*o.placed) && std::ranges::all_of(o.check.questions.draws, [&](const auto& q) {
     return q.job.options.float_mode == FloatMode::kUsual && SuspectsDraw(*q.job.scene, info);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -12,7 +13,9 @@
 #include "core/case.h"
 #include "core/clock.h"
 #include "core/drawing.h"
+#include "core/result.h"
 #include "core/subject.h"
+#include "core/subject_info.h"
 #include "props/placed_case.h"
 #include "props/property.h"
 
@@ -23,6 +26,10 @@ struct FailedProperty {
   const Property* property = nullptr;
   std::vector<Case> cases;  ///< the shrunk one first, then the one that was drawn, if it is known
 };
+
+/// The violated property with its shrunken case and the one that was drawn; nothing if the result
+/// has no counterexample, or the subject broke down on it: that needs no other cause.
+std::optional<FailedProperty> FailedBy(const PropertyResult& result, const SubjectInfo& subject);
 
 /// Some draws of one check, in their order, and what the subject answered.
 struct Observation {

@@ -41,7 +41,7 @@ class Investigation {
   Investigation(const MakesSubject& make, std::span<const FailedProperty> failures, double seconds)
       : make_(make), failures_(failures), seconds_(seconds) {}
 
-  Explanation Run();
+  Causes Run();
 
  private:
   void Sort();
@@ -95,7 +95,7 @@ class Investigation {
   std::set<std::size_t> open_;     // failures without a cause
   // Of failures: what draws alike, by too few scenes to be sure.
   std::map<std::size_t, Cause> hints_;
-  Explanation found_;
+  Causes found_;
 };
 
 }  // namespace rasterproof::props

@@ -249,7 +249,7 @@ bool Shows(Surveyor& surveyor, const Case& candidate, Fault fault) {
   return fault == Fault::kEnd ? cell.ended != 0 : cell.wrong > cell.ended;
 }
 
-Finding Shrunk(Subject& subject, Fault fault, const Case& failing, const SurveyPlan& options) {
+FaultyCase Shrunk(Subject& subject, Fault fault, const Case& failing, const SurveyPlan& options) {
   Surveyor surveyor(subject, options.model);
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                       std::chrono::duration<double>(options.shrink_seconds));
@@ -258,7 +258,7 @@ Finding Shrunk(Subject& subject, Fault fault, const Case& failing, const SurveyP
     const bool is_stopped = Clock::now() >= end || (options.limits.stop && options.limits.stop());
     return !is_stopped && Shows(surveyor, candidate, fault);
   };
-  Finding finding{fault, failing.origin, failing, ""};
+  FaultyCase finding{fault, failing.origin, failing, ""};
   if (fails(failing)) finding.minimal = Shrink(failing, fails, options.shrink_budget).minimal;
   subject.SetDeadline(Clock::time_point::max());
   return finding;
@@ -289,8 +289,8 @@ void AddFindings(Subject& subject, const std::vector<Cell>& cells, const SurveyP
   }
   const Cell& model = cells.front();
   if (!model.ended_on) return;
-  Finding& end = survey.findings.emplace_back(
-      model.has_hung ? Finding{Fault::kEnd, model.ended_on->origin, *model.ended_on, ""}
+  FaultyCase& end = survey.findings.emplace_back(
+      model.has_hung ? FaultyCase{Fault::kEnd, model.ended_on->origin, *model.ended_on, ""}
                      : Shrunk(subject, Fault::kEnd, *model.ended_on, options));
   end.end = model.why;
 }

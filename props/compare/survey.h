@@ -45,7 +45,7 @@ struct SurveyPlan {
 };
 
 /// The first case of a domain that shows a fault, shrunk.
-struct Finding {
+struct FaultyCase {
   Fault fault = Fault::kWrong;
   std::string name;  ///< of the drawn case: "covering-fans:17@1"
   Case minimal;      ///< its profile is the model
@@ -64,7 +64,7 @@ struct DomainSurvey {
   std::uint64_t gaps = 0;                                  ///< samples of covering meshes
   std::uint64_t overlaps = 0;                              ///< samples of covering meshes
   std::array<std::uint64_t, kFaultNames.size()> faulty{};  ///< cases, by fault
-  std::vector<Finding> findings;                           ///< at most one of each fault
+  std::vector<FaultyCase> findings;                        ///< at most one of each fault
   double subject_seconds = 0;                              ///< each case in one call
   double alone_seconds = 0;  ///< the same triangles again, each in its own call
   double seconds = 0;        ///< of all but shrinking

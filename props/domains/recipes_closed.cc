@@ -6,10 +6,13 @@
 #include <span>
 #include <vector>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/hardest_ray.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -115,7 +118,7 @@ Case ClipTriangles(BitSource& bits, const SubjectInfo& info, double (*draw_w)(Ca
 
 }  // namespace
 
-Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
+static Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Surface surface = DrawSurface(bits);
   for (std::int32_t v = 0; v < surface.vertices; ++v) builder.Add(builder.Place());
@@ -123,7 +126,16 @@ Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kClosedMeshDomain{
+    .number = 37,
+    .name = "closed-mesh",
+    .summary = "a closed surface folded flat: front minus back is zero everywhere",
+    .theme = DomainTheme::kMeshes,
+    .mesh = true,
+    .overlaps = true,
+    .draw = ClosedMesh};
+
+static Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   const Surface surface = DrawSurface(bits);
@@ -144,7 +156,17 @@ Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kClosedAroundEyeDomain{
+    .number = 96,
+    .listed = 411,
+    .name = "closed-around-eye",
+    .summary = "a closed surface around the eye, or cut by the plane of the eye",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .mesh = true,
+    .draw = ClosedAroundEye};
+
+static Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   const Surface surface = Bipyramid(static_cast<std::int32_t>(bits.Int(3, 8)));
@@ -172,7 +194,17 @@ Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case Perspective(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kMeshesAroundEyeDomain{
+    .number = 97,
+    .listed = 662,
+    .name = "meshes-around-eye",
+    .summary = "closed around the eye, or open, and no triangle hides another",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .mesh = true,
+    .draw = MeshesAroundEye};
+
+static Case Perspective(BitSource& bits, const SubjectInfo& info) {
   return ClipTriangles(bits, info, [](CaseBuilder& builder) {
     // Powers of two keep the window place exact: ties stay ties.
     if (!builder.bits().Chance(128)) return std::fabs(builder.LogUniform(-4, 4));
@@ -180,13 +212,28 @@ Case Perspective(BitSource& bits, const SubjectInfo& info) {
   });
 }
 
-Case MixedW(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kPerspectiveDomain{.number = 40,
+                                                 .name = "perspective",
+                                                 .summary = "clip space, every w positive",
+                                                 .theme = DomainTheme::kClip,
+                                                 .clip = true,
+                                                 .draw = Perspective};
+
+static Case MixedW(BitSource& bits, const SubjectInfo& info) {
   return ClipTriangles(bits, info, [](CaseBuilder& builder) {
     return builder.bits().Chance(96) ? 1.0 : DrawMixedW(builder);
   });
 }
 
-Case OneVertexBehind(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kMixedWDomain{
+    .number = 41,
+    .name = "mixed-w",
+    .summary = "w -> 0, w == 0, and both signs of w in one triangle",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .draw = MixedW};
+
+static Case OneVertexBehind(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   const auto triangles = static_cast<std::int32_t>(bits.Int(1, 2));
@@ -203,7 +250,15 @@ Case OneVertexBehind(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case HardestRays(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kOneVertexBehindDomain{
+    .number = 65,
+    .name = "one-vertex-behind",
+    .summary = "one vertex of a triangle behind the eye, two in front",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .draw = OneVertexBehind};
+
+static Case HardestRays(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   const auto add = [&](const Ray& v) {
@@ -223,5 +278,13 @@ Case HardestRays(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kHardestRaysDomain{
+    .number = 66,
+    .name = "hardest-rays",
+    .summary = "clip-space edges whose value at a sample is the smallest that is not zero",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .draw = HardestRays};
 
 }  // namespace rasterproof::props

@@ -10,13 +10,16 @@
 #include <utility>
 #include <vector>
 
+#include "core/case.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "model/snap.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -235,7 +238,7 @@ void CutEars(BitSource& bits, PlanarMesh& mesh, int facing) {
 
 }  // namespace
 
-Case RoundedArrangements(BitSource& bits, const SubjectInfo& info) {
+static Case RoundedArrangements(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Arrangement drawn = DrawArrangement(builder);
   for (const Point2 p : drawn.vertices) builder.Add(p);
@@ -249,7 +252,16 @@ Case RoundedArrangements(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case EqualAfterSnap(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kRoundedArrangementsDomain{
+    .number = 77,
+    .name = "rounded-arrangements",
+    .summary = "lines whose crossings are rounded: flat and inverted triangles in a mesh",
+    .theme = DomainTheme::kMeshes,
+    .mesh = true,
+    .overlaps = true,
+    .draw = RoundedArrangements};
+
+static Case EqualAfterSnap(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Point2 p = OnLattice(builder, builder.Sample());
   const std::vector<double> xs = DrawPlaces(builder, p.x);
@@ -280,7 +292,16 @@ Case EqualAfterSnap(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case EarcutMeshes(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kEqualAfterSnapDomain{
+    .number = 78,
+    .name = "equal-after-snap",
+    .summary = "grids of vertices that only the snap makes equal or collinear",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .mesh = true,
+    .draw = EqualAfterSnap};
+
+static Case EarcutMeshes(BitSource& bits, const SubjectInfo& info) {
   constexpr std::array<Point2, 4> kTurns{{{1, 0}, {1, 0}, {1, 1}, {2, 1}}};
   CaseBuilder builder(bits, info);
   const Point2 p = OnLattice(builder, builder.Sample());
@@ -295,5 +316,13 @@ Case EarcutMeshes(BitSource& bits, const SubjectInfo& info) {
   mesh.AddTo(builder);
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kEarcutMeshesDomain{
+    .number = 79,
+    .name = "earcut-meshes",
+    .summary = "polygons cut into ears, their holes joined by bridges of repeated vertices",
+    .theme = DomainTheme::kMeshes,
+    .mesh = true,
+    .draw = EarcutMeshes};
 
 }  // namespace rasterproof::props

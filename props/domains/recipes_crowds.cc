@@ -7,9 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -146,7 +149,7 @@ std::array<Point2, 3> DrawShape(CaseBuilder& builder) {
 
 }  // namespace
 
-Case LongLists(BitSource& bits, const SubjectInfo& info) {
+static Case LongLists(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info, kSide, kSide);
   const int cut = DrawCutBits(bits);
   const std::int64_t many = std::int64_t{1} << cut;
@@ -169,7 +172,15 @@ Case LongLists(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAsIs);
 }
 
-Case Crowds(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kLongListsDomain{
+    .number = 69,
+    .listed = 581,
+    .name = "many-triangles",
+    .summary = "2^8 to 2^16 triangles or vertices and more, those beyond alone on their side",
+    .theme = DomainTheme::kCalls,
+    .draw = LongLists};
+
+static Case Crowds(BitSource& bits, const SubjectInfo& info) {
   // One less, as many as and one more than lanes.
   constexpr std::array<int, 17> kCounts{3,  4,  5,  6,  7,  8,  9,  12, 15,
                                         16, 17, 18, 24, 31, 32, 33, 40};
@@ -179,7 +190,14 @@ Case Crowds(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case EveryLane(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kCrowdsDomain{
+    .number = 60,
+    .name = "crowds",
+    .summary = "3 to 40 triangles of all kinds, around the numbers of lanes of a vector",
+    .theme = DomainTheme::kCalls,
+    .draw = Crowds};
+
+static Case EveryLane(BitSource& bits, const SubjectInfo& info) {
   constexpr std::array<int, 16> kCounts{1, 3, 4, 5, 7, 8, 9, 12, 15, 16, 17, 17, 31, 32, 33, 33};
   const int count = bits.OneOf(std::span<const int>(kCounts));
   const int rows = (count + kRowOfCopies - 1) / kRowOfCopies;
@@ -200,5 +218,12 @@ Case EveryLane(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAsIs);
 }
+
+extern constinit const Domain kEveryLaneDomain{
+    .number = 86,
+    .name = "every-lane",
+    .summary = "one triangle at each place of a list, around the numbers of lanes",
+    .theme = DomainTheme::kCalls,
+    .draw = EveryLane};
 
 }  // namespace rasterproof::props

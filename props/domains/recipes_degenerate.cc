@@ -5,10 +5,13 @@
 #include <limits>
 #include <span>
 
+#include "core/case.h"
+#include "core/subject_info.h"
 #include "core/ulp.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -24,7 +27,7 @@ double MovedInPrecision(double x, std::int64_t n, Precision precision) {
 
 }  // namespace
 
-Case SnapTies(BitSource& bits, const SubjectInfo& info) {
+static Case SnapTies(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Snap& snap = builder.profile().snap;
   const int subpixel_bits = snap.IsNone() ? (bits.Chance(128) ? 8 : 4) : snap.bits;
@@ -52,7 +55,15 @@ Case SnapTies(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case Degenerate(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSnapTiesDomain{
+    .number = 24,
+    .name = "snap-ties",
+    .summary = "vertices half way between subpixels, one ulp beside, and anywhere between",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .draw = SnapTies};
+
+static Case Degenerate(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -87,7 +98,13 @@ Case Degenerate(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kDegenerateDomain{.number = 25,
+                                                .name = "degenerate",
+                                                .summary = "equal, repeated and collinear vertices",
+                                                .theme = DomainTheme::kNothing,
+                                                .draw = Degenerate};
+
+static Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const auto coordinate = [&](int extent, bool along_y) {
     switch (bits.Int(0, 4)) {
@@ -114,7 +131,13 @@ Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSignedZerosDomain{.number = 26,
+                                                 .name = "signed-zeros",
+                                                 .summary = "-0 beside +0",
+                                                 .theme = DomainTheme::kNothing,
+                                                 .draw = SignedZeros};
+
+static Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -131,7 +154,14 @@ Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case NonFinite(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kNonFiniteDepthsDomain{.number = 64,
+                                                     .name = "non-finite-depths",
+                                                     .summary = "NaN and infinities in z alone",
+                                                     .theme = DomainTheme::kNothing,
+                                                     .non_finite = true,
+                                                     .draw = NonFiniteDepths};
+
+static Case NonFinite(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -153,5 +183,14 @@ Case NonFinite(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kNonFiniteDomain{.number = 27,
+                                               .name = "non-finite",
+                                               .summary = "NaN and infinities in some coordinates",
+                                               .theme = DomainTheme::kNothing,
+                                               .off_grid = true,
+                                               .beyond_limits = true,
+                                               .non_finite = true,
+                                               .draw = NonFinite};
 
 }  // namespace rasterproof::props

@@ -7,9 +7,12 @@
 #include <limits>
 #include <span>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -60,7 +63,7 @@ Sides DrawSides(CaseBuilder& builder, double scale) {
 
 }  // namespace
 
-Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
+static Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 2);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -86,7 +89,15 @@ Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kAccumulatorEndsDomain{
+    .number = 67,
+    .listed = 601,
+    .name = "accumulator-ends",
+    .summary = "edge values and areas next to what 16, 24 and 32 bits hold",
+    .theme = DomainTheme::kMagnitudes,
+    .draw = AccumulatorEnds};
+
+static Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const double least = Subnormal(builder);
   const std::int64_t triangles = bits.Int(1, 3);
@@ -106,7 +117,16 @@ Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kUnderflowingProductsDomain{
+    .number = 62,
+    .name = "underflowing-products",
+    .summary = "edges through samples, told apart by products that underflow alone",
+    .theme = DomainTheme::kMagnitudes,
+    .in_theme = 141,
+    .off_grid = true,
+    .draw = UnderflowingProducts};
+
+static Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t pairs = bits.Int(1, 2);
   for (std::int64_t k = 0; k < pairs; ++k) {
@@ -153,5 +173,13 @@ Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
   // One behind the other, as a test for rectangles meets them.
   return builder.Done(bits.Chance(192) ? Finish::kAsIs : Finish::kAnyOrder);
 }
+
+extern constinit const Domain kNearRectanglesDomain{
+    .number = 68,
+    .listed = 621,
+    .name = "near-rectangles",
+    .summary = "pairs on a diagonal: rectangles, kites, trapezia, a step off, under a pixel",
+    .theme = DomainTheme::kMeshes,
+    .draw = NearRectangles};
 
 }  // namespace rasterproof::props

@@ -6,11 +6,14 @@
 #include <span>
 #include <vector>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace engines {
@@ -218,7 +221,7 @@ std::vector<Point2> DrawFan(CaseBuilder& builder) {
 
 }  // namespace engines
 
-Case Cameras(BitSource& bits, const SubjectInfo& info) {
+static Case Cameras(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   engines::Camera camera(builder);
@@ -256,7 +259,17 @@ Case Cameras(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case ScaledViewports(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kCamerasDomain{
+    .number = 102,
+    .listed = 791,
+    .name = "cameras",
+    .summary = "grids seen by cameras: float matrices, any depth range, 20 to 179 degrees",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .mesh = true,
+    .draw = Cameras};
+
+static Case ScaledViewports(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   // Beside the scales of user interfaces, half of an odd size, for normalized coordinates.
   const Point2 half{(builder.width() | 1) / 2.0, (builder.height() | 1) / 2.0};
@@ -289,7 +302,16 @@ Case ScaledViewports(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kScaledViewportsDomain{
+    .number = 81,
+    .name = "scaled-viewports",
+    .summary = "grids scaled by 1.25, 1.5, 1/1080 or half an odd size, and moved, in floats",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .mesh = true,
+    .draw = ScaledViewports};
+
+static Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
   const auto frames = static_cast<int>(bits.Int(4, 12));
   CaseBuilder builder(bits, info, frames * engines::kFrameSide, engines::kFrameSide);
   const auto sample = static_cast<int>(bits.Int(0, builder.profile().pattern.samples() - 1));
@@ -328,5 +350,16 @@ Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
   mesh.AddTo(builder);
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kFrameSweepsDomain{
+    .number = 103,
+    .listed = 841,
+    .name = "frame-sweeps",
+    .summary = "a fan frame after frame: 1/256 pixel on, a lattice step on, turned a little",
+    .theme = DomainTheme::kMeshes,
+    .in_theme = 791,
+    .near_edge = true,
+    .mesh = true,
+    .draw = FrameSweeps};
 
 }  // namespace rasterproof::props

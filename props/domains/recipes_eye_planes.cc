@@ -9,8 +9,11 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
 
 namespace rasterproof::props {
 namespace recipes_eye_planes {
@@ -73,7 +76,7 @@ std::array<Whole, 3> Draw(BitSource& bits, const Whole& ray, int digits) {
 
 }  // namespace recipes_eye_planes
 
-Case EyePlanes(BitSource& bits, const SubjectInfo& info) {
+static Case EyePlanes(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   const int digits = builder.lattice().digits();
@@ -94,5 +97,14 @@ Case EyePlanes(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kEyePlanesDomain{
+    .number = 94,
+    .name = "eye-planes",
+    .summary = "planes next to the eye: determinants that cancel, edges through samples",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .in_a_round = 2,
+    .draw = EyePlanes};
 
 }  // namespace rasterproof::props

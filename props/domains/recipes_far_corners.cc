@@ -8,10 +8,14 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
+#include "props/domains/is_stated.h"
 
 namespace rasterproof::props {
 namespace recipes_far_corners {
@@ -152,16 +156,40 @@ class FarPair {
 
 }  // namespace recipes_far_corners
 
-Case FarCorners(BitSource& bits, const SubjectInfo& info) {
+static Case FarCorners(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   recipes_far_corners::FarPair(builder).Add();
   return builder.Done(Finish::kMesh);
 }
 
-Case NearBesideFar(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kFarCornersDomain{
+    .number = 90,
+    .name = "far-corners",
+    .summary = "pairs with corners beside every power of two up to the stated limit",
+    .theme = DomainTheme::kMagnitudes,
+    .in_theme = 182,
+    .off_grid = true,
+    .mesh = true,
+    // Each power of two is a place where a path may begin.
+    .in_a_round = 4,
+    .draw = FarCorners};
+
+static Case NearBesideFar(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   recipes_far_corners::FarPair(builder).AddNearBesideFar();
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kNearBesideFarDomain{
+    .number = 95,
+    .name = "near-beside-far",
+    .summary = "pairs that share an edge between grid points, one with a far third corner",
+    .theme = DomainTheme::kMagnitudes,
+    .in_theme = 183,
+    .off_grid = true,
+    .mesh = true,
+    .in_a_round = 2,
+    .is_stated = SnapsItsInput,
+    .draw = NearBesideFar};
 
 }  // namespace rasterproof::props

@@ -6,8 +6,11 @@
 #include <span>
 #include <utility>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
 
 namespace rasterproof::props {
 namespace {
@@ -40,7 +43,7 @@ CaseBuilder DrawLongTarget(BitSource& bits, const SubjectInfo& info) {
 
 }  // namespace
 
-Case FarSides(BitSource& bits, const SubjectInfo& info) {
+static Case FarSides(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder = DrawLongTarget(bits, info);
   // From corner to corner of the range. Where the edge falls to the left, the target's far corner
   // lies on one side of it, as far away as can be; else its two other corners do.
@@ -68,5 +71,14 @@ Case FarSides(BitSource& bits, const SubjectInfo& info) {
   if (kind >= 2) builder.AddTriangle(ib, ia, builder.Add(beside(+1)));
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kFarSidesDomain{
+    .number = 70,
+    .name = "far-sides",
+    .summary = "edges as wide as the stated range, targets of up to 4096 a side",
+    .theme = DomainTheme::kMagnitudes,
+    .in_theme = 181,
+    .mesh = true,
+    .draw = FarSides};
 
 }  // namespace rasterproof::props

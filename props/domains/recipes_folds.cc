@@ -7,8 +7,12 @@
 #include <span>
 #include <vector>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
+#include "props/domains/is_stated.h"
 
 namespace rasterproof::props {
 namespace {
@@ -130,8 +134,36 @@ Case Folded(BitSource& bits, const SubjectInfo& info, bool doubled) {
 
 }  // namespace
 
-Case Folds(BitSource& bits, const SubjectInfo& info) { return Folded(bits, info, false); }
+static Case Folds(BitSource& bits, const SubjectInfo& info) { return Folded(bits, info, false); }
 
-Case ClosedFolds(BitSource& bits, const SubjectInfo& info) { return Folded(bits, info, true); }
+extern constinit const Domain kFoldsDomain{
+    .number = 48,
+    .name = "folds",
+    .summary = "strips and fans of triangles a step of the grid high: a legal choice turns",
+    .theme = DomainTheme::kSnapping,
+    .in_theme = 523,
+    .off_grid = true,
+    .mesh = true,
+    .overlaps = true,
+    // What a legal choice turns is most of what freedom can go wrong by.
+    .in_a_round = 8,
+    .is_stated = LeavesGridPoints,
+    .draw = Folds};
+
+static Case ClosedFolds(BitSource& bits, const SubjectInfo& info) {
+  return Folded(bits, info, true);
+}
+
+extern constinit const Domain kClosedFoldsDomain{
+    .number = 49,
+    .name = "closed-folds",
+    .summary = "the same with the back of each triangle: closed, whatever is chosen",
+    .theme = DomainTheme::kSnapping,
+    .in_theme = 524,
+    .off_grid = true,
+    .mesh = true,
+    .overlaps = true,
+    .is_stated = LeavesGridPoints,
+    .draw = ClosedFolds};
 
 }  // namespace rasterproof::props

@@ -4,10 +4,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -79,7 +82,7 @@ PlanarMesh DrawQuads(CaseBuilder& builder) {
 
 }  // namespace
 
-Case OffGridFragments(BitSource& bits, const SubjectInfo& info) {
+static Case OffGridFragments(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   switch (bits.Int(0, 2)) {
     case 0:
@@ -94,5 +97,14 @@ Case OffGridFragments(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kOffGridFragmentsDomain{
+    .number = 98,
+    .listed = 522,
+    .name = "off-grid-fragments",
+    .summary = "small triangles, fans and quads whose corners lie between grid points",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .draw = OffGridFragments};
 
 }  // namespace rasterproof::props

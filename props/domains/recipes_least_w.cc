@@ -4,12 +4,15 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
 
 namespace rasterproof::props {
 
-Case LeastW(BitSource& bits, const SubjectInfo& info) {
+static Case LeastW(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   // 1 / w overflows below 2^-128 in float32 and below 2^-1024 in float64.
@@ -31,5 +34,13 @@ Case LeastW(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kLeastWDomain{
+    .number = 93,
+    .name = "least-w",
+    .summary = "one w or all so small that its reciprocal overflows, places on the target",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .draw = LeastW};
 
 }  // namespace rasterproof::props

@@ -8,8 +8,11 @@
 #include <span>
 #include <utility>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
 
 namespace rasterproof::props {
 namespace {
@@ -56,7 +59,7 @@ Point2 BesideIn(CaseBuilder& builder, Point2 base) {
 
 }  // namespace
 
-Case NearRepeats(BitSource& bits, const SubjectInfo& info) {
+static Case NearRepeats(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   TriangleCorners v;
   for (ListedCorner& corner : v) corner = Placed(builder, builder.Place());
@@ -86,7 +89,14 @@ Case NearRepeats(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(bits.Chance(48) ? Finish::kAnyOrder : Finish::kAsIs);
 }
 
-Case SparseIndices(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kNearRepeatsDomain{
+    .number = 43,
+    .name = "near-repeats",
+    .summary = "each triangle the one before but for a coordinate or a corner, or beside it",
+    .theme = DomainTheme::kCalls,
+    .draw = NearRepeats};
+
+static Case SparseIndices(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int32_t stride = bits.OneOf(std::span<const int>(kStrides));
   const std::int64_t triangles = bits.Int(2, stride < 1024 ? 5 : 3);
@@ -102,7 +112,14 @@ Case SparseIndices(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case AliasedIndices(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSparseIndicesDomain{
+    .number = 44,
+    .name = "sparse-indices",
+    .summary = "indices of vertices that agree in their lower bits",
+    .theme = DomainTheme::kCalls,
+    .draw = SparseIndices};
+
+static Case AliasedIndices(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const bool is_long = bits.Chance(24);
   const std::int32_t stride = is_long ? 1 << 16 : 1 << 8;
@@ -122,5 +139,13 @@ Case AliasedIndices(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kAliasedIndicesDomain{
+    .number = 91,
+    .name = "aliased-indices",
+    .summary = "vertices that agree in 8 or 16 bits of their index, and in a coordinate",
+    .theme = DomainTheme::kCalls,
+    .in_theme = 441,
+    .draw = AliasedIndices};
 
 }  // namespace rasterproof::props

@@ -3,10 +3,13 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -16,7 +19,7 @@ int MostExponent(const CaseBuilder& builder) { return std::max(3, std::ilogb(bui
 
 }  // namespace
 
-Case LeastAreas(BitSource& bits, const SubjectInfo& info) {
+static Case LeastAreas(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const int most = MostExponent(builder);
   const std::int64_t triangles = bits.Int(1, 4);
@@ -35,7 +38,16 @@ Case LeastAreas(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case RowsAndColumns(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kLeastAreasDomain{
+    .number = 99,
+    .listed = 531,
+    .name = "least-areas",
+    .summary = "slivers of every length, as thin as the lattice allows, around a sample",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .draw = LeastAreas};
+
+static Case RowsAndColumns(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const int most = MostExponent(builder);
   const std::int64_t triangles = bits.Int(1, 4);
@@ -56,5 +68,14 @@ Case RowsAndColumns(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kRowsAndColumnsDomain{
+    .number = 55,
+    .name = "rows-and-columns",
+    .summary = "edges of every length along a row or a column of samples",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .ties = true,
+    .draw = RowsAndColumns};
 
 }  // namespace rasterproof::props

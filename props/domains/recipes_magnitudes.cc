@@ -6,10 +6,13 @@
 #include <limits>
 #include <span>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -48,7 +51,7 @@ double OrdinaryOr(CaseBuilder& builder, double special, bool along_y, int chance
 
 }  // namespace
 
-Case Needles(BitSource& bits, const SubjectInfo& info) {
+static Case Needles(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t needles = bits.Int(1, 6);
   const int most = std::max(4, MostExponent(builder, 13));
@@ -68,7 +71,14 @@ Case Needles(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case FarSlivers(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kNeedlesDomain{
+    .number = 9,
+    .name = "needles",
+    .summary = "up to 8192 pixels long and 2^-20 to 1 pixel wide",
+    .theme = DomainTheme::kThin,
+    .draw = Needles};
+
+static Case FarSlivers(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   SometimesIgnoreLimit(builder);
   const InputLattice& lattice = builder.lattice();
@@ -87,7 +97,14 @@ Case FarSlivers(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case OffsetCancellation(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kFarSliversDomain{.number = 11,
+                                                .name = "far-slivers",
+                                                .summary = "1e30 long and one ulp wide",
+                                                .theme = DomainTheme::kThin,
+                                                .beyond_limits = true,
+                                                .draw = FarSlivers};
+
+static Case OffsetCancellation(BitSource& bits, const SubjectInfo& info) {
   if (bits.Chance(64)) {
     // A triangle of a few pixels at the far end of a wide target.
     const int width = 1 << bits.Int(13, 16);
@@ -116,7 +133,14 @@ Case OffsetCancellation(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case Subnormal(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kOffsetCancellationDomain{
+    .number = 12,
+    .name = "offset-cancellation",
+    .summary = "small triangles and ends of near edges at 2^13 to 2^22",
+    .theme = DomainTheme::kMagnitudes,
+    .draw = OffsetCancellation};
+
+static Case Subnormal(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Range range = RangeOf(builder);
   const auto tiny = [&] {
@@ -143,7 +167,15 @@ Case Subnormal(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case ProductOverflow(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSubnormalDomain{
+    .number = 13,
+    .name = "subnormal",
+    .summary = "subnormal coordinates and products beside ordinary ones",
+    .theme = DomainTheme::kMagnitudes,
+    .off_grid = true,
+    .draw = Subnormal};
+
+static Case ProductOverflow(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   SometimesIgnoreLimit(builder);
   const Range range = RangeOf(builder);
@@ -165,7 +197,15 @@ Case ProductOverflow(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case LargestAndSmallest(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kProductOverflowDomain{
+    .number = 14,
+    .name = "product-overflow",
+    .summary = "coordinates whose products overflow, in every quadrant",
+    .theme = DomainTheme::kMagnitudes,
+    .beyond_limits = true,
+    .draw = ProductOverflow};
+
+static Case LargestAndSmallest(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   SometimesIgnoreLimit(builder);
   const Range range = RangeOf(builder);
@@ -192,7 +232,15 @@ Case LargestAndSmallest(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case MixedMagnitude(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kLargestAndSmallestDomain{
+    .number = 15,
+    .name = "largest-and-smallest",
+    .summary = "the largest and the smallest floats in one triangle",
+    .theme = DomainTheme::kMagnitudes,
+    .beyond_limits = true,
+    .draw = LargestAndSmallest};
+
+static Case MixedMagnitude(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const int most = MostExponent(builder, static_cast<int>(bits.Int(4, 30)));
   const std::int64_t triangles = bits.Int(1, 3);
@@ -210,7 +258,14 @@ Case MixedMagnitude(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case CoordinateLimits(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kMixedMagnitudeDomain{
+    .number = 16,
+    .name = "mixed-magnitude",
+    .summary = "magnitudes log-uniform per vertex, signs per quadrant",
+    .theme = DomainTheme::kMagnitudes,
+    .draw = MixedMagnitude};
+
+static Case CoordinateLimits(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   SometimesIgnoreLimit(builder);
   const int subpixel_bits = builder.profile().snap.IsNone() ? 8 : builder.profile().snap.bits;
@@ -234,5 +289,13 @@ Case CoordinateLimits(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kCoordinateLimitsDomain{
+    .number = 17,
+    .name = "coordinate-limits",
+    .summary = "2^15, 2^24, the limit, int16 and int32 in subpixels, and a step beside",
+    .theme = DomainTheme::kMagnitudes,
+    .beyond_limits = true,
+    .draw = CoordinateLimits};
 
 }  // namespace rasterproof::props

@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -170,7 +173,7 @@ PlanarMesh DrawUnequalNeighbours(CaseBuilder& builder, double size) {
 
 }  // namespace
 
-Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
+static Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Segment drawn = bits.Chance(64) ? DrawOffsetDiagonal(builder) : DrawDiagonal(builder);
   const Point2 a = OnLattice(builder, drawn.a);
@@ -191,7 +194,16 @@ Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case Fans(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSharedEdgeDomain{
+    .number = 29,
+    .name = "shared-edge",
+    .summary = "two triangles whose common edge passes samples on or near it",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .draw = SharedEdge};
+
+static Case Fans(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Point2 p = builder.Sample();
   const double radius = static_cast<double>(bits.Int(4, 48)) / 2;
@@ -211,20 +223,46 @@ Case Fans(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case Strips(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kFansDomain{
+    .number = 30,
+    .name = "fans",
+    .summary = "a hub on a sample or a step off it, up to 128 triangles around",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .draw = Fans};
+
+static Case Strips(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const int cells = static_cast<int>(bits.Int(2, 16));
   const bool along_y = bits.Chance(128);
   return DoneGrid(builder, DrawGridShape(builder, along_y ? 1 : cells, along_y ? cells : 1));
 }
 
-Case Grids(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kStripsDomain{.number = 31,
+                                            .name = "strips",
+                                            .summary = "one row of quads, regular or jittered",
+                                            .theme = DomainTheme::kMeshes,
+                                            .near_edge = true,
+                                            .mesh = true,
+                                            .draw = Strips};
+
+static Case Grids(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const int columns = static_cast<int>(bits.Int(1, 6));
   return DoneGrid(builder, DrawGridShape(builder, columns, static_cast<int>(bits.Int(1, 6))));
 }
 
-Case EverySize(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kGridsDomain{
+    .number = 32,
+    .name = "grids",
+    .summary = "rows of quads, regular or jittered, diagonals either way",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .draw = Grids};
+
+static Case EverySize(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const double size = DrawSize(builder);
   PlanarMesh mesh;
@@ -245,7 +283,16 @@ Case EverySize(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kEverySizeDomain{
+    .number = 100,
+    .listed = 701,
+    .name = "every-size",
+    .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
+    .theme = DomainTheme::kOrdinary,
+    .mesh = true,
+    .draw = EverySize};
+
+static Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.UseClipSpace();
   const int columns = static_cast<int>(bits.Int(1, 4));
@@ -263,7 +310,17 @@ Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kPerspectiveMeshesDomain{
+    .number = 46,
+    .listed = 661,
+    .name = "perspective-meshes",
+    .summary = "grids in clip space, in front of the eye, each vertex with a w of its own",
+    .theme = DomainTheme::kClip,
+    .clip = true,
+    .mesh = true,
+    .draw = PerspectiveMeshes};
+
+static Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Snap& snap = builder.profile().snap;
   const double step = std::ldexp(1.0, -(snap.IsNone() ? 8 : snap.bits));
@@ -293,5 +350,14 @@ Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
   builder.AddTriangle(b, a, right);
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kSharedSnapTiesDomain{
+    .number = 45,
+    .name = "shared-snap-ties",
+    .summary = "two triangles whose common edge ends between subpixels and passes a sample",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .mesh = true,
+    .draw = SharedSnapTies};
 
 }  // namespace rasterproof::props

@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <span>
 
+#include "core/case.h"
 #include "core/sample_pattern.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/hardest.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -61,7 +64,7 @@ Point2 DirectionOfMostSamples(CaseBuilder& builder, Point2 p) {
 
 }  // namespace
 
-Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info) {
+static Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -82,7 +85,16 @@ Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case NearEdge(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kEdgesThroughSamplesDomain{
+    .number = 4,
+    .name = "edges-through-samples",
+    .summary = "edges that pass exactly through many samples",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .ties = true,
+    .draw = EdgesThroughSamples};
+
+static Case NearEdge(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -97,7 +109,16 @@ Case NearEdge(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case HardestSamples(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kNearEdgeDomain{
+    .number = 5,
+    .name = "near-edge",
+    .summary = "samples 0, 1, 2, ... lattice steps off an edge, by construction",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .ties = true,
+    .draw = NearEdge};
+
+static Case HardestSamples(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   // A long edge on a uniform grid, moved by whole pixels: its hardest pixel goes into the target.
   const double reach = Reach(builder, std::ldexp(1.0, static_cast<int>(bits.Int(11, 15))));
@@ -116,7 +137,14 @@ Case HardestSamples(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case HardestVertices(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kHardestSamplesDomain{
+    .number = 6,
+    .name = "hardest-sample",
+    .summary = "the sample of smallest non-zero |E| along an edge of up to 16384 pixels",
+    .theme = DomainTheme::kNearEdges,
+    .draw = HardestSamples};
+
+static Case HardestVertices(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 2);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -130,7 +158,15 @@ Case HardestVertices(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case UlpExtremes(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kHardestVerticesDomain{
+    .number = 7,
+    .name = "hardest-vertex",
+    .summary = "the vertex of smallest non-zero |E| at a sample, by extended Euclid",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .draw = HardestVertices};
+
+static Case UlpExtremes(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   // From next to the target's corner, where an ulp is smallest, through a sample, to far away,
   // where it is largest: the differences need more bits than the products leave.
@@ -149,7 +185,15 @@ Case UlpExtremes(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case Caps(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kUlpExtremesDomain{
+    .number = 8,
+    .name = "ulp-extremes",
+    .summary = "hardest vertices whose edge runs from the smallest ulp to the largest",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .draw = UlpExtremes};
+
+static Case Caps(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 3);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -160,7 +204,15 @@ Case Caps(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case LongRows(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kCapsDomain{
+    .number = 10,
+    .name = "caps",
+    .summary = "the apex on a sample, one step off the opposite edge",
+    .theme = DomainTheme::kThin,
+    .near_edge = true,
+    .draw = Caps};
+
+static Case LongRows(BitSource& bits, const SubjectInfo& info) {
   const int longest = 1 << bits.Int(9, 14);
   const int widest = static_cast<int>(bits.Int(1, 4));
   const bool along_y = bits.Chance(64);
@@ -187,7 +239,16 @@ Case LongRows(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case PatternLines(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kLongRowsDomain{
+    .number = 38,
+    .name = "long-rows",
+    .summary = "rows and columns of up to 16384 samples, hard at their far end",
+    .theme = DomainTheme::kNearEdges,
+    .in_theme = 551,
+    .near_edge = true,
+    .draw = LongRows};
+
+static Case PatternLines(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Point2 p = builder.Sample();
   const Point2 d = DirectionOfMostSamples(builder, p);
@@ -211,5 +272,16 @@ Case PatternLines(BitSource& bits, const SubjectInfo& info) {
   if (OnLattice(builder, turned) == turned) builder.AddTriangle(b, a, builder.Add(turned));
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kPatternLinesDomain{
+    .number = 88,
+    .name = "pattern-lines",
+    .summary = "edges that pass exactly through many samples of a pattern of several",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .ties = true,
+    .mesh = true,
+    .is_stated = [](const Profile& p) { return p.pattern.samples() > 1; },
+    .draw = PatternLines};
 
 }  // namespace rasterproof::props

@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <span>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
 
 namespace rasterproof::props {
 namespace {
@@ -18,7 +21,7 @@ constexpr int kMostSamples = 1 << 17;
 
 }  // namespace
 
-Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
+static Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -29,7 +32,14 @@ Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kUniformSubpixelDomain{
+    .number = 1,
+    .name = "uniform-subpixel",
+    .summary = "ordinary triangles, half of their coordinates on samples",
+    .theme = DomainTheme::kOrdinary,
+    .draw = UniformSubpixel};
+
+static Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -46,7 +56,16 @@ Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kVerticesOnSamplesDomain{
+    .number = 2,
+    .name = "vertices-on-samples",
+    .summary = "every vertex on a sample, some on half pixels",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .ties = true,
+    .draw = VerticesOnSamples};
+
+static Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t rectangles = bits.Int(1, 3);
   for (std::int64_t r = 0; r < rectangles; ++r) {
@@ -62,7 +81,16 @@ Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case VertexOrders(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kAxisAlignedDomain{
+    .number = 3,
+    .name = "axis-aligned",
+    .summary = "rectangles and right triangles with edges along rows and columns of samples",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .ties = true,
+    .draw = AxisAligned};
+
+static Case VertexOrders(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int32_t a = builder.Add(builder.Place());
   const std::int32_t b = builder.Add(builder.Place());
@@ -74,7 +102,15 @@ Case VertexOrders(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAsIs);
 }
 
-Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kVertexOrdersDomain{
+    .number = 28,
+    .name = "vertex-orders",
+    .summary = "one triangle in all six vertex orders",
+    .theme = DomainTheme::kOrdinary,
+    .in_theme = 703,
+    .draw = VertexOrders};
+
+static Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
   const int side = bits.OneOf(std::span<const int>(kSides));
   const int most = std::min(side, kMostSamples / side);
   const int other = static_cast<int>(bits.Chance(128) ? most : bits.Int(1, most));
@@ -95,5 +131,12 @@ Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kTargetSizesDomain{
+    .number = 39,
+    .name = "target-sizes",
+    .summary = "targets of 1 to 16384 a side, boxes as large both ways",
+    .theme = DomainTheme::kCalls,
+    .draw = TargetSizes};
 
 }  // namespace rasterproof::props

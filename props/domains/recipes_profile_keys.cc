@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <span>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
+#include "props/domains/recipes_range.h"
 
 namespace rasterproof::props {
 namespace {
@@ -21,7 +25,7 @@ double StepAt(const InputLattice& lattice, double x) {
 
 }  // namespace
 
-Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
+static Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   builder.IgnoreLimit();
   const FixedInput fixed = info.profile.fixed.value_or(FixedInput{});
@@ -49,7 +53,15 @@ Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kWrappedCoordinatesDomain{
+    .number = 50,
+    .name = "wrapped-coordinates",
+    .summary = "coordinates beyond a range that wraps, and beside its ends",
+    .theme = DomainTheme::kMagnitudes,
+    .is_stated = [](const Profile& p) { return p.fixed && p.fixed->wraps; },
+    .draw = WrappedCoordinates};
+
+static Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const MaxPrimitiveExtent most =
       info.profile.max_primitive_extent.value_or(MaxPrimitiveExtent{64, 32});
@@ -87,7 +99,16 @@ Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kPrimitiveExtentEndsDomain{
+    .number = 51,
+    .name = "primitive-extent-ends",
+    .summary = "triangles of the largest extent that is drawn, a step less and more",
+    .theme = DomainTheme::kMagnitudes,
+    .off_grid = true,
+    .is_stated = [](const Profile& p) { return p.max_primitive_extent.has_value(); },
+    .draw = PrimitiveExtentEnds};
+
+static Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const WindowBox box = UnclippedBox(info.profile, builder.width(), builder.height())
                             .value_or(WindowBox{-256, -256, 256, 256});
@@ -122,7 +143,16 @@ Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kGuardBandEndsDomain{
+    .number = 52,
+    .name = "guard-band-ends",
+    .summary = "meshes with vertices on either side of the guard-band rectangle",
+    .theme = DomainTheme::kMagnitudes,
+    .mesh = true,
+    .is_stated = StatesGuardBand,
+    .draw = GuardBandEnds};
+
+static Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
   // What is moved by so many pixels is not clipped either.
   constexpr int kMargin = 6;
   const auto side = [&] { return static_cast<int>(bits.Int(2 * kMargin + 2, 48)); };
@@ -146,7 +176,17 @@ Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kOffGridMovesDomain{
+    .number = 72,
+    .listed = 521,
+    .name = "off-grid-moves",
+    .summary = "triangles off the grid that stay inside when moved, and exact in float32",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .is_stated = [](const Profile& p) { return p.translation_invariant; },
+    .draw = OffGridMoves};
+
+static Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
   const TargetModel any{.max_width = 64, .max_height = 64};
   const std::span<const TargetModel> models = info.profile.by_target_size.empty()
                                                   ? std::span(&any, 1)
@@ -162,5 +202,15 @@ Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
   AddDecidingTies(builder);
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kTargetSizeEndsDomain{
+    .number = 53,
+    .name = "target-size-ends",
+    .summary = "ties of the snap on the largest targets of each model, and on larger ones",
+    .theme = DomainTheme::kCalls,
+    .in_theme = 391,
+    .off_grid = true,
+    .is_stated = [](const Profile& p) { return !p.by_target_size.empty(); },
+    .draw = TargetSizeEnds};
 
 }  // namespace rasterproof::props

@@ -1,15 +1,20 @@
 // Triangles as large as the profile states, edges whose ends differ by every order of magnitude,
 // ties of the snap that decide a sample, and targets that are covered all over.
+#include "props/domains/recipes_range.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
 #include "core/ulp.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -34,7 +39,7 @@ Point2 OnOutline(CaseBuilder& builder, double range) {
 
 }  // namespace
 
-Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
+static Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const double range = builder.Range();
   const std::int64_t triangles = bits.Int(1, 3);
@@ -73,7 +78,14 @@ Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kRangeEndsDomain{
+    .number = 18,
+    .name = "range-ends",
+    .summary = "triangles and needles from one end of the stated range to the other",
+    .theme = DomainTheme::kMagnitudes,
+    .draw = RangeEnds};
+
+static Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const double range = builder.Range();
   const int most = std::max(5, std::ilogb(range));
@@ -94,7 +106,14 @@ Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case RoundedDifferences(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kFarNegativeCornersDomain{
+    .number = 19,
+    .name = "far-negative-corners",
+    .summary = "a corner far to the left and one far above, as where a picture is tiled",
+    .theme = DomainTheme::kMagnitudes,
+    .draw = FarNegativeCorners};
+
+static Case RoundedDifferences(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const bool is_float32 = builder.lattice().precision() == Precision::kFloat32;
   const int least = is_float32 ? -149 : -1074;
@@ -127,7 +146,16 @@ Case RoundedDifferences(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kRoundedDifferencesDomain{
+    .number = 20,
+    .name = "rounded-differences",
+    .summary = "an end next to the origin, the sample's differences with it rounded",
+    .theme = DomainTheme::kNearEdges,
+    .near_edge = true,
+    .exact_tier = true,
+    .draw = RoundedDifferences};
+
+static Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -148,6 +176,14 @@ Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kSubPixelTrianglesDomain{
+    .number = 21,
+    .name = "sub-pixel-triangles",
+    .summary = "triangles smaller than a pixel, an edge as near to the sample as can be",
+    .theme = DomainTheme::kOrdinary,
+    .in_theme = 702,
+    .draw = SubPixelTriangles};
 
 void AddDecidingTies(CaseBuilder& builder) {
   BitSource& bits = builder.bits();
@@ -184,13 +220,25 @@ void AddDecidingTies(CaseBuilder& builder) {
   }
 }
 
-Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info) {
+static Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   AddDecidingTies(builder);
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kDecidingSnapTiesDomain{
+    .number = 22,
+    .name = "deciding-snap-ties",
+    .summary = "vertices at or beside ties of the snap that decide who owns a sample",
+    .theme = DomainTheme::kSnapping,
+    .in_theme = 241,
+    .off_grid = true,
+    .in_a_round = 3,
+    // What a transform rounds otherwise by an ulp shows there, and hardly elsewhere.
+    .in_a_round_behind_transforms = 8,
+    .draw = DecidingSnapTies};
+
+static Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
   const auto samples = static_cast<int>(info.profile.pattern.locations.size());
   const int most = std::max(16, 512 / std::max(1, samples));
   const int width = static_cast<int>(bits.Int(most / 2, most));
@@ -215,5 +263,12 @@ Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kFullCoverageDomain{
+    .number = 23,
+    .name = "full-coverage",
+    .summary = "targets of up to 512x256, covered almost all over several times",
+    .theme = DomainTheme::kOrdinary,
+    .draw = FullCoverage};
 
 }  // namespace rasterproof::props

@@ -6,11 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace soups {
@@ -114,7 +117,7 @@ Layer DrawLayer(CaseBuilder& builder, const DepthPlane& plane, const std::vector
 
 }  // namespace soups
 
-Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
+static Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   // The common edge passes through a sample. Its places are rounded for either patch, and half of
   // the time a patch displaces them by as much as its factor lets it see.
@@ -139,7 +142,16 @@ Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case Soups(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kTessellationCracksDomain{
+    .number = 82,
+    .name = "tessellation-cracks",
+    .summary = "patches that divide their edge unequally: the oracle's count, not 1",
+    .theme = DomainTheme::kMeshes,
+    .mesh = true,
+    .overlaps = true,
+    .draw = TessellationCracks};
+
+static Case Soups(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   std::vector<Point2> places;
   std::vector<Triangle> faces;
@@ -159,7 +171,14 @@ Case Soups(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case CoplanarDepths(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSoupsDomain{
+    .number = 83,
+    .name = "soups",
+    .summary = "faces twice, crossing, of both windings, their vertices shared or repeated",
+    .theme = DomainTheme::kMeshes,
+    .draw = Soups};
+
+static Case CoplanarDepths(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   soups::DepthPlane plane{bits.OneOf(std::span<const double>(soups::kDepths)), {}};
   if (bits.Chance(160)) plane.slope = {builder.LogUniform(-12, 0), builder.LogUniform(-12, 0)};
@@ -176,5 +195,13 @@ Case CoplanarDepths(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kCoplanarDepthsDomain{
+    .number = 84,
+    .name = "coplanar-depths",
+    .summary = "layers of one plane or an ulp off it, their z in [0, 1] and far outside",
+    .theme = DomainTheme::kCalls,
+    .in_theme = 871,
+    .draw = CoplanarDepths};
 
 }  // namespace rasterproof::props

@@ -4,10 +4,14 @@
 #include <cmath>
 #include <cstdint>
 
+#include "core/case.h"
+#include "core/subject_info.h"
 #include "core/ulp.h"
 #include "exact/square_coverage.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
+#include "props/domains/is_stated.h"
 
 namespace rasterproof::props {
 namespace {
@@ -80,7 +84,7 @@ void AddAsIs(CaseBuilder& builder, const std::array<Point2, 3>& v) {
 
 }  // namespace
 
-Case SquareGridLines(BitSource& bits, const SubjectInfo& info) {
+static Case SquareGridLines(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -94,7 +98,16 @@ Case SquareGridLines(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case SquareCrossings(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSquareGridLinesDomain{
+    .number = 56,
+    .name = "square-grid-lines",
+    .summary = "corners and edges on the sides of pixels, an ulp, a subpixel, a band beside",
+    .theme = DomainTheme::kPixelSides,
+    .off_grid = true,
+    .is_stated = StatesSquares,
+    .draw = SquareGridLines};
+
+static Case SquareCrossings(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -112,7 +125,16 @@ Case SquareCrossings(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kAnyOrder);
 }
 
-Case SquareInteriors(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSquareCrossingsDomain{
+    .number = 57,
+    .name = "square-crossings",
+    .summary = "edges through the corners of pixels, or an ulp beside",
+    .theme = DomainTheme::kPixelSides,
+    .off_grid = true,
+    .is_stated = StatesSquares,
+    .draw = SquareCrossings};
+
+static Case SquareInteriors(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 6);
   for (std::int64_t t = 0; t < triangles; ++t) {
@@ -135,5 +157,14 @@ Case SquareInteriors(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kSquareInteriorsDomain{
+    .number = 58,
+    .name = "square-interiors",
+    .summary = "triangles inside one pixel, thin ones, and thin ones that leave it",
+    .theme = DomainTheme::kPixelSides,
+    .off_grid = true,
+    .is_stated = StatesSquares,
+    .draw = SquareInteriors};
 
 }  // namespace rasterproof::props

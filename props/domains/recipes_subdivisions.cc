@@ -6,10 +6,13 @@
 #include <cstdint>
 #include <span>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -112,7 +115,7 @@ PlanarMesh DrawFineGrid(CaseBuilder& builder, Point2 corner, int pixels) {
 
 }  // namespace
 
-Case FineMeshes(BitSource& bits, const SubjectInfo& info) {
+static Case FineMeshes(BitSource& bits, const SubjectInfo& info) {
   const int pixels = bits.Chance(64) ? 4 : 3;
   const int width = pixels + static_cast<int>(bits.Int(1, 4));
   const int height = pixels + static_cast<int>(bits.Int(1, 4));
@@ -124,7 +127,17 @@ Case FineMeshes(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case Triangulations(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kFineMeshesDomain{
+    .number = 92,
+    .name = "fine-meshes",
+    .summary = "grids of 1/8 to 1/2 pixel on sixteenths: each pixel many triangles",
+    .theme = DomainTheme::kMeshes,
+    .mesh = true,
+    .overlaps = true,
+    .is_stated = [](const Profile& p) { return p.sample_positions != SamplePositions::kStated; },
+    .draw = FineMeshes};
+
+static Case Triangulations(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   PlanarMesh mesh = DrawFrame(builder);
   mesh.Insert(OnLattice(builder, builder.Sample()));
@@ -133,7 +146,16 @@ Case Triangulations(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case CoveringFans(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kTriangulationsDomain{
+    .number = 33,
+    .name = "triangulations",
+    .summary = "samples, midpoints and places beside them inserted one by one",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .draw = Triangulations};
+
+static Case CoveringFans(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   PlanarMesh mesh = DrawCoveringFan(builder);
   if (bits.Chance(192)) InsertPlaces(builder, mesh);
@@ -141,7 +163,15 @@ Case CoveringFans(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case Subdivisions(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kCoveringFansDomain{
+    .number = 34,
+    .name = "covering-fans",
+    .summary = "a hub on the target, the rim up to the end of the stated range",
+    .theme = DomainTheme::kMeshes,
+    .mesh = true,
+    .draw = CoveringFans};
+
+static Case Subdivisions(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   PlanarMesh mesh = DrawFrame(builder);
   mesh.Insert(OnLattice(builder, builder.Sample()));
@@ -153,7 +183,16 @@ Case Subdivisions(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case TJunctions(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kSubdivisionsDomain{
+    .number = 35,
+    .name = "subdivisions",
+    .summary = "edges halved again and again, on both sides",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .draw = Subdivisions};
+
+static Case TJunctions(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   PlanarMesh mesh = DrawFrame(builder);
   const Point2 p = builder.Sample();
@@ -172,5 +211,15 @@ Case TJunctions(BitSource& bits, const SubjectInfo& info) {
   mesh.AddTo(builder);
   return builder.Done(Finish::kMesh);
 }
+
+extern constinit const Domain kTJunctionsDomain{
+    .number = 36,
+    .name = "t-junctions",
+    .summary = "edges halved on one side only: the oracle's count is expected, not 1",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .overlaps = true,
+    .draw = TJunctions};
 
 }  // namespace rasterproof::props

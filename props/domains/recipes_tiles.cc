@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <span>
 
+#include "core/case.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -91,7 +94,7 @@ void AddTrianglePast(CaseBuilder& builder, const TileCorner& corner) {
 
 }  // namespace
 
-Case TileBorders(BitSource& bits, const SubjectInfo& info) {
+static Case TileBorders(BitSource& bits, const SubjectInfo& info) {
   const int tile = bits.OneOf(std::span<const int>(kTileSides));
   const auto draw_extent = [&] {
     const std::int64_t tiles = bits.Int(1, tile < 32 ? 3 : 1);
@@ -117,7 +120,15 @@ Case TileBorders(BitSource& bits, const SubjectInfo& info) {
   return c;
 }
 
-Case FarTileCorners(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kTileBordersDomain{
+    .number = 76,
+    .name = "tile-borders",
+    .summary = "edges on multiples of 4 to 64 pixels and beside, boxes a pixel thick",
+    .theme = DomainTheme::kCalls,
+    .in_theme = 861,
+    .draw = TileBorders};
+
+static Case FarTileCorners(BitSource& bits, const SubjectInfo& info) {
   const int tile = bits.OneOf(std::span<const int>(kTileSides));
   const auto draw_extent = [&] {
     return static_cast<int>(tile * bits.Int(1, std::max(1, 48 / tile)));
@@ -133,5 +144,12 @@ Case FarTileCorners(BitSource& bits, const SubjectInfo& info) {
   if (states_tile) c.options.tile = tile;
   return c;
 }
+
+extern constinit const Domain kFarTileCornersDomain{
+    .number = 87,
+    .name = "far-tile-corners",
+    .summary = "edges from far off that pass the corner of a tile as near as can be",
+    .theme = DomainTheme::kCalls,
+    .draw = FarTileCorners};
 
 }  // namespace rasterproof::props

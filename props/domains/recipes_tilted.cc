@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <span>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
+#include "props/domains/domain.h"
 #include "props/domains/lines.h"
 #include "props/domains/planar_mesh.h"
-#include "props/domains/recipes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -55,7 +58,7 @@ PlanarMesh DrawTiltedGrid(CaseBuilder& builder, Point2 node, Point2 side) {
 
 }  // namespace
 
-Case TiltedGrids(BitSource& bits, const SubjectInfo& info) {
+static Case TiltedGrids(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const Point2 side = DrawCellSide(builder);
   PlanarMesh mesh = DrawTiltedGrid(builder, OnLattice(builder, builder.Sample()), side);
@@ -65,7 +68,17 @@ Case TiltedGrids(BitSource& bits, const SubjectInfo& info) {
   return builder.Done(Finish::kMesh);
 }
 
-Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info) {
+extern constinit const Domain kTiltedGridsDomain{
+    .number = 101,
+    .listed = 702,
+    .name = "tilted-grids",
+    .summary = "grids turned by Pythagorean angles, exactly or rounded, and by small ones",
+    .theme = DomainTheme::kMeshes,
+    .near_edge = true,
+    .mesh = true,
+    .draw = TiltedGrids};
+
+static Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t needles = bits.Int(1, 6);
   for (std::int64_t i = 0; i < needles; ++i) {
@@ -86,5 +99,13 @@ Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kDiagonalNeedlesDomain{
+    .number = 75,
+    .name = "diagonal-needles",
+    .summary = "needles a step wide along the diagonals of samples",
+    .theme = DomainTheme::kThin,
+    .near_edge = true,
+    .draw = DiagonalNeedles};
 
 }  // namespace rasterproof::props

@@ -14,11 +14,15 @@
 #include <optional>
 #include <utility>
 
+#include "core/case.h"
 #include "core/elementary.h"
+#include "core/subject_info.h"
 #include "exact/coverage.h"
 #include "model/snap.h"
+#include "props/domains/bit_source.h"
 #include "props/domains/case_builder.h"
-#include "props/domains/recipes.h"
+#include "props/domains/domain.h"
+#include "props/domains/is_stated.h"
 
 namespace rasterproof::props {
 namespace recipes_turned {
@@ -197,7 +201,7 @@ class Turner {
 
 }  // namespace recipes_turned
 
-Case TurnedBySnap(BitSource& bits, const SubjectInfo& info) {
+static Case TurnedBySnap(BitSource& bits, const SubjectInfo& info) {
   CaseBuilder builder(bits, info);
   const std::int64_t triangles = bits.Int(1, 4);
   recipes_turned::Turner turner(builder);
@@ -216,5 +220,14 @@ Case TurnedBySnap(BitSource& bits, const SubjectInfo& info) {
   }
   return builder.Done(Finish::kAnyOrder);
 }
+
+extern constinit const Domain kTurnedBySnapDomain{
+    .number = 89,
+    .name = "turned-by-snap",
+    .summary = "triangles that the snap turns over, and that cover a sample once it has",
+    .theme = DomainTheme::kSnapping,
+    .off_grid = true,
+    .is_stated = SnapsItsInput,
+    .draw = TurnedBySnap};
 
 }  // namespace rasterproof::props

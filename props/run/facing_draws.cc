@@ -11,7 +11,7 @@
 #include "core/scene.h"
 #include "core/subject_info.h"
 #include "props/judging/as_shown.h"
-#include "props/judging/sides.h"
+#include "props/judging/by_facing.h"
 
 namespace rasterproof::props {
 namespace {
@@ -36,7 +36,7 @@ std::vector<FacingDraw> FacingDraws(const DrawJob& job, CoverageKind coverage,
   }
   Scene drawn = scene;
   drawn.triangles.assign(triangles.begin(), triangles.end());
-  Sides sides(exact::PlacedScene(std::move(drawn), profile));
+  TrianglesByFacing sides(exact::PlacedScene(std::move(drawn), profile));
   std::vector<FacingDraw> parts;
   for (const bool is_back : {false, true}) {
     std::vector<Triangle>& side = is_back ? sides.back : sides.front;

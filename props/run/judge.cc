@@ -12,6 +12,7 @@
 #include "core/quoted.h"
 #include "exact/coverage.h"
 #include "props/codec/codec.h"
+#include "props/judging/redraw.h"
 #include "props/run/description.h"
 
 namespace rasterproof::props {
@@ -70,6 +71,33 @@ std::shared_ptr<const DrawnScene> CaseJudge::DrawnBy(const Check& check, std::si
     drawn.scene = *std::move(given);
   }
   return std::make_shared<DrawnScene>(std::move(drawn.scene), job.options);
+}
+
+// Whether its counts are those that one draw onto an empty target has by facing. The facings of
+// parts are those of the case as given: a transform's owner is given another scene.
+bool CaseJudge::CanBeShown(const DrawQuestion& question, const CoverageCounts& counts) const {
+  const bool is_by_facing = subject_.info.coverage == CoverageKind::kFacingCounts ||
+                            (question.parts == Parts::kFacings && !placed_.before);
+  return is_by_facing && question.fill == 0 && !question.onto_the_last && !question.by_twin &&
+         counts.size() != 0 && counts.size() <= kMostCompared;
+}
+
+bool CaseJudge::IsOfTheCase(const DrawJob& job) const {
+  const Case value = placed_.Value();
+  return !placed_.numbers &&
+         SameCase({SceneOf(job), value.profile, job.options, value.origin}, value);
+}
+
+// Of the checks judged so far.
+std::shared_ptr<const Drawing> CaseJudge::SeenOfTheCase() const {
+  std::size_t k = 0;
+  for (const Check& check : std::span(checks_.checks).first(next_)) {
+    for (const DrawQuestion& question : check.questions.draws) {
+      const std::shared_ptr<const Drawing>& drawing = drawn_[k++];
+      if (CanBeShown(question, drawing->counts) && IsOfTheCase(question.job)) return drawing;
+    }
+  }
+  return nullptr;
 }
 
 // In the space in which the subject was given them.
@@ -134,6 +162,12 @@ void CaseJudge::Take(Answers answers) {
     if (verdict.failed_draw && *verdict.failed_draw >= bases) {
       verdict.drawn = DrawnBy(check, *verdict.failed_draw - bases);
     }
+    if (verdict.drawn == nullptr) {
+      verdict.seen = SeenOfTheCase();
+    } else if (const auto& drawing = answers.draws[*verdict.failed_draw];
+               CanBeShown(check.questions.draws[*verdict.failed_draw - bases], drawing->counts)) {
+      verdict.seen = drawing;
+    }
     violation_ = verdict;
     return Conclude({std::move(verdict)});
   }
@@ -152,9 +186,16 @@ void CaseJudge::Blame(Subject& subject) {
   if (exact::WhyNotDecided(placed_)) return;
   const Checks round =
       WorkedOut(place_, [&] { return property_.blame(placed_, violation_, subject_); });
+  const std::shared_ptr<const Drawing> seen = SeenOfTheCase();
   for (const Check& check : round.checks) {
-    const Request request{&placed_, &check, &drawn_};
-    const Answers answers = SubmitOne(subject, request);
+    const std::vector<DrawQuestion>& draws = check.questions.draws;
+    const bool is_seen = seen != nullptr && draws.size() == 1 && IsOfTheCase(draws[0].job);
+    Answers answers;
+    if (is_seen) {
+      answers.draws.push_back(seen);
+    } else {
+      answers = SubmitOne(subject, {&placed_, &check, &drawn_});
+    }
     // What was seen stays so, whatever becomes of less of the case.
     if (EndsTheCall(answers.end.stop)) return;
     if (answers.end.stop != Stop::kNone) continue;
@@ -162,6 +203,7 @@ void CaseJudge::Blame(Subject& subject) {
     if (blamed.outcome != Outcome::kViolated) continue;
     violation_.witness = blamed.witness;
     violation_.drawn = nullptr;  // its triangle is one of the case's
+    violation_.seen = seen;
     return Conclude({violation_});
   }
 }

@@ -87,7 +87,7 @@ class CaseJudge {
   const Trial& Result() const { return *trial_; }
 
   /// Writes into the verdict which triangle causes the violation. This draws with the subject
-  /// again.
+  /// again what was not seen yet.
   ///
   /// Domain:     done.
   void Blame(Subject& subject);
@@ -99,6 +99,9 @@ class CaseJudge {
  private:
   void Conclude(Trial trial);
   std::shared_ptr<const DrawnScene> DrawnBy(const Check& check, std::size_t k) const;
+  bool CanBeShown(const DrawQuestion& question, const CoverageCounts& counts) const;
+  bool IsOfTheCase(const DrawJob& job) const;
+  std::shared_ptr<const Drawing> SeenOfTheCase() const;
   void CountDraws(const Check& check);
   void StopBy(const Answers& answers);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/transform.h"
+#include "props/domains/bit_source.h"
 
 namespace rasterproof::props {
 namespace {

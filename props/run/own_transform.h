@@ -16,10 +16,10 @@
 #include "core/scene.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
-#include "props/domains/bit_source.h"
-#include "props/domains/domain.h"
 
 namespace rasterproof::props {
+
+class BitSource;
 
 /// Returns whether the subject takes clip space, or a map, through its own transform.
 inline bool OwnsTransform(const SubjectInfo& info) {

@@ -44,7 +44,7 @@ CoverageCounts Filled(std::uint32_t fill, const DrawJob& job) {
 }
 
 // Where the outcome of one job of a call goes.
-struct Share {
+struct Destination {
   std::size_t request = 0;
   std::size_t draw = 0;      ///< among the drawings
   std::size_t question = 0;  ///< among the request's own
@@ -67,9 +67,9 @@ class Submission {
       for (const std::size_t base : requests_[r].check->bases) {
         answers_[r].draws.push_back((*requests_[r].drawn)[base]);
       }
-      if (!PutInOrder(r)) AddShares(r);
+      if (!PutInOrder(r)) AddDestinations(r);
     }
-    DrawShares();
+    DrawDestinations();
     for (std::size_t r = 0; r < answers_.size(); ++r) {
       Answers& answers = answers_[r];
       if (answers.end.stop == Stop::kNone) answers.end = not_given_[r];
@@ -151,7 +151,7 @@ class Submission {
     return std::move(outcome.end);
   }
 
-  void AddShares(std::size_t r) {
+  void AddDestinations(std::size_t r) {
     const std::vector<DrawQuestion>& draws = requests_[r].check->questions.draws;
     for (std::size_t d = 0; d < draws.size(); ++d) {
       const std::optional<DrawJob> job = GivenOf(r, draws[d].job, not_given_[r]);
@@ -160,18 +160,18 @@ class Submission {
       const bool is_added = draws[d].parts == Parts::kFacings || draws[d].fill != 0;
       if (is_added) drawings_.back()->counts = Filled(draws[d].fill, *job);
       for (FacingDraw& part : PartsOf(r, draws[d], *job)) {
-        shares_.push_back({r, drawings_.size() - 1, d, std::move(part), !is_added});
+        destinations_.push_back({r, drawings_.size() - 1, d, std::move(part), !is_added});
       }
       owners_.push_back(r);
     }
   }
 
-  void DrawShares() {
+  void DrawDestinations() {
     std::size_t first = 0;
-    while (first < shares_.size()) {
+    while (first < destinations_.size()) {
       const std::size_t last = EndOfCall(first);
       const std::size_t drawn = DrawCall(first, last);
-      const std::size_t end = shares_[first + (drawn == 0 ? 0 : drawn - 1)].request;
+      const std::size_t end = destinations_[first + (drawn == 0 ? 0 : drawn - 1)].request;
       if (first + drawn < last || EndsTheCall(answers_[end].end.stop)) {
         // Draws after a breakdown are left out: the case that caused it is judged first.
         answers_.resize(end + 1);
@@ -189,38 +189,38 @@ class Submission {
   // Shares that go in one call with the first, as many as fit.
   std::size_t EndOfCall(std::size_t first) const {
     const bool is_one_call =
-        requests_[shares_[first].request].check->questions.company == Company::kOneCallAlone;
-    if (is_one_call) return shares_.size();
+        requests_[destinations_[first].request].check->questions.company == Company::kOneCallAlone;
+    if (is_one_call) return destinations_.size();
     std::size_t size = 0;
-    for (std::size_t n = first; n < shares_.size(); ++n) {
-      size += SizeInACall(shares_[n].part.job);
+    for (std::size_t n = first; n < destinations_.size(); ++n) {
+      size += SizeInACall(destinations_[n].part.job);
       if (n > first && size > kMostInACall) return n;
     }
-    return shares_.size();
+    return destinations_.size();
   }
 
   // Returns how many were drawn.
   std::size_t DrawCall(std::size_t first, std::size_t last) {
     std::vector<DrawJob> jobs;
-    for (std::size_t n = first; n < last; ++n) jobs.push_back(shares_[n].part.job);
+    for (std::size_t n = first; n < last; ++n) jobs.push_back(destinations_[n].part.job);
     std::vector<DrawOutcome> outcomes = subject_.DrawMany(jobs);
-    for (std::size_t n = 0; n < outcomes.size(); ++n) Take(shares_[first + n], outcomes[n]);
+    for (std::size_t n = 0; n < outcomes.size(); ++n) Take(destinations_[first + n], outcomes[n]);
     return outcomes.size();
   }
 
-  void Take(const Share& share, DrawOutcome& outcome) {
-    Answers& answers = answers_[share.request];
+  void Take(const Destination& to, DrawOutcome& outcome) {
+    Answers& answers = answers_[to.request];
     if (answers.end.stop != Stop::kNone) return;
     if (outcome.end.stop != Stop::kNone) {
       answers.end = std::move(outcome.end);
-      answers.stopped_at = share.question;
+      answers.stopped_at = to.question;
       return;
     }
-    Drawing& drawing = *drawings_[share.draw];
-    if (share.is_whole) {
+    Drawing& drawing = *drawings_[to.draw];
+    if (to.is_whole) {
       drawing = std::move(outcome.drawing);
     } else {
-      AddFacingDraw(share.part, info_.coverage, outcome.drawing.counts, drawing.counts);
+      AddFacingDraw(to.part, info_.coverage, outcome.drawing.counts, drawing.counts);
     }
   }
 
@@ -248,7 +248,7 @@ class Submission {
   std::span<const Request> requests_;
   std::vector<Answers> answers_;
   std::vector<CallEnd> not_given_;  ///< why, if a request has a draw that can't be given
-  std::vector<Share> shares_;
+  std::vector<Destination> destinations_;
   std::vector<std::shared_ptr<Drawing>> drawings_;
   std::vector<std::size_t> owners_;  ///< the request of each of them
 };

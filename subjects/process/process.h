@@ -16,15 +16,10 @@
 #include "core/evaluators.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
+#include "subjects/process/limits.h"
 #include "subjects/process/protocol.h"
 
 namespace rasterproof::subjects {
-
-struct ProcessLimits {
-  double seconds = 10;                           ///< of the program's time, for one answer
-  std::uint64_t bytes = std::uint64_t{4} << 30;  ///< of address space; 0: no limit
-  int long_waits = 3;  ///< in vain or for a late answer, each of ten times the seconds
-};
 
 /// A subject that is a child process speaking protocol.h.
 ///

@@ -82,10 +82,10 @@ class BoxCause : public ::testing::TestWithParam<WrongBox> {};
 
 TEST_P(BoxCause, IsNamedByItsEndAndItsAxis) {
   const WrongBox& wrong = GetParam();
-  const Explanation found =
+  const Causes found =
       ExplainPlanted(Looping(wrong.along_x, wrong.along_y, wrong.y_axis), {Squares()});
-  ASSERT_EQ(found.causes.size(), 1U);
-  const Cause& cause = found.causes.front();
+  ASSERT_EQ(found.all.size(), 1U);
+  const Cause& cause = found.all.front();
   EXPECT_EQ(cause.kind, CauseKind::kModel);
   EXPECT_EQ(cause.name, "bounding-box");
   EXPECT_EQ(cause.what, std::vector<std::string>{std::string(wrong.what)});
@@ -118,19 +118,19 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(BoxCause, OfASoundBoxIsNotTheBox) {
   for (const Loop loop : {Sound, SoundToCeil, SoundAndCut}) {
-    const Explanation exact = ExplainPlanted(Looping(loop, loop), {Squares()});
-    ASSERT_EQ(exact.causes.size(), 1U);
+    const Causes exact = ExplainPlanted(Looping(loop, loop), {Squares()});
+    ASSERT_EQ(exact.all.size(), 1U);
     EXPECT_EQ(exact.wrong, 0U);
-    EXPECT_TRUE(exact.causes.front().name.empty()) << exact.causes.front().name;
+    EXPECT_TRUE(exact.all.front().name.empty()) << exact.all.front().name;
   }
   FixedStages stages = Looping(Sound, SoundToCeil);
   stages.owns = [](const auto& edge, const auto&, const auto&) {
     return edge.owns || edge.a.y == edge.b.y;
   };
-  const Explanation tie =
+  const Causes tie =
       ExplainPlanted(stages, {{TrianglesOf(8, 8, {{1, 5.5, 0, 1}, {6, 5.5, 0, 1}, {3, 1, 0, 1}})}});
-  ASSERT_EQ(tie.causes.size(), 1U);
-  EXPECT_EQ(tie.causes.front().name, "tie-rule");
+  ASSERT_EQ(tie.all.size(), 1U);
+  EXPECT_EQ(tie.all.front().name, "tie-rule");
 }
 
 }  // namespace

@@ -43,9 +43,9 @@ FixedStages LosingRows() {
 }
 
 Cause OfTallOnes(const std::vector<Case>& cases) {
-  const Explanation found = ExplainPlanted(LosingRows(), {cases});
-  EXPECT_EQ(found.causes.size(), 1U);
-  const Cause cause = found.causes.empty() ? Cause() : found.causes.front();
+  const Causes found = ExplainPlanted(LosingRows(), {cases});
+  EXPECT_EQ(found.all.size(), 1U);
+  const Cause cause = found.all.empty() ? Cause() : found.all.front();
   // Where it is not named it is told all the same.
   EXPECT_EQ(cause.kind, cause.rests_on_few ? CauseKind::kUnexplained : CauseKind::kModel);
   EXPECT_EQ(cause.name, cause.rests_on_few ? "" : "target-border");
@@ -75,10 +75,10 @@ TEST(FewDraws, NameNoCauseOfAPartBesideMoreOthers) {
   if (kOneCaseIn > 1) return;  // other tests of causes have parts, of small targets
   std::vector<Case> odd;
   for (int k = 0; k < 4; ++k) odd.push_back(Tall(16401, 0, 28.25 + k));
-  const Explanation found = ExplainPlanted(LosingRows(), {TallOnes(3), odd});
-  ASSERT_FALSE(found.causes.empty());
+  const Causes found = ExplainPlanted(LosingRows(), {TallOnes(3), odd});
+  ASSERT_FALSE(found.all.empty());
   // What explains a part of the draws, and leaves the others to no one, is not named at all.
-  for (const Cause& cause : found.causes) {
+  for (const Cause& cause : found.all) {
     EXPECT_EQ(cause.kind, CauseKind::kUnexplained);
     EXPECT_TRUE(cause.what.empty());
   }
@@ -104,7 +104,7 @@ TEST(CauseNames, AreThoseOfTheSuspectsAndMore) {
     EXPECT_NE(std::ranges::find(names, name), names.end()) << name;
 }
 
-TEST(Explain, SaysThatItWasCutShort) {
+TEST(FindCauses, SaysThatItWasCutShort) {
   EXPECT_TRUE(ExplainPlanted(LosingRows(), {TallOnes(1)}, 1e-9).is_cut_short);
   EXPECT_FALSE(ExplainPlanted(LosingRows(), {TallOnes(1)}).is_cut_short);
 }

@@ -94,7 +94,7 @@ void PrintTo(const Row& row, std::ostream* out) { *out << row.what; }
 
 class CauseRow : public ::testing::TestWithParam<Row> {};
 
-Explanation ExplanationOf(const MakesSubject& make) {
+Causes CausesOf(const MakesSubject& make) {
   CampaignOptions options;
   options.cases = 1500;
   options.shrink_budget = 300;
@@ -103,17 +103,17 @@ Explanation ExplanationOf(const MakesSubject& make) {
   EXPECT_EQ(result.outcome, Outcome::kViolated) << result.message;
   if (!result.counterexample) return {};
   const FailedProperty failure{property, {result.counterexample->value}};
-  return Explain(make, std::span(&failure, 1), kLongestSearch);
+  return FindCauses(make, std::span(&failure, 1), kLongestSearch);
 }
 
 TEST_P(CauseRow, IsNamedForItsBugAndNotForTheOneBeside) {
   const Row& row = GetParam();
-  const Explanation found = ExplanationOf(row.right);
-  ASSERT_EQ(found.causes.size(), 1U);
-  EXPECT_EQ(found.causes.front().name, row.cause);
-  EXPECT_EQ(std::ranges::count(found.causes.front().what, row.what), 1)
-      << (found.causes.front().what.empty() ? "nothing" : found.causes.front().what.front());
-  for (const Cause& cause : ExplanationOf(row.other).causes)
+  const Causes found = CausesOf(row.right);
+  ASSERT_EQ(found.all.size(), 1U);
+  EXPECT_EQ(found.all.front().name, row.cause);
+  EXPECT_EQ(std::ranges::count(found.all.front().what, row.what), 1)
+      << (found.all.front().what.empty() ? "nothing" : found.all.front().what.front());
+  for (const Cause& cause : CausesOf(row.other).all)
     EXPECT_EQ(std::ranges::count(cause.what, row.what), 0) << cause.name;
 }
 

@@ -49,9 +49,9 @@ Cause CauseOf(std::string_view mutant, std::string_view property = "CoverageEqua
   const MakesSubject make = MutantMaker(mutant);
   const FailedProperty failure = FailureOf(make, *FindProperty(property));
   if (failure.property == nullptr) return {};
-  const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
-  EXPECT_EQ(found.causes.size(), 1U);
-  return found.causes.empty() ? Cause() : found.causes.front();
+  const Causes found = FindCauses(make, std::span(&failure, 1), kLongest);
+  EXPECT_EQ(found.all.size(), 1U);
+  return found.all.empty() ? Cause() : found.all.front();
 }
 
 TEST(Suspect, WithoutAChangeDrawsTheModel) {
@@ -161,9 +161,9 @@ TEST(Cause, OfThreeBugsIsToldAsThree) {
   cut.options.scissor = PixelRect{0, 0, 2, 2};
   const std::vector<FailedProperty> failures{
       {&EqualsTheModel(), {small}}, {&EqualsTheModel(), {tie}}, {&EqualsTheModel(), {cut}}};
-  const Explanation found = Explain(ThreeBugs, failures, kLongest);
+  const Causes found = FindCauses(ThreeBugs, failures, kLongest);
   std::vector<std::string> names;
-  for (const Cause& cause : found.causes) {
+  for (const Cause& cause : found.all) {
     names.push_back(cause.name);
     EXPECT_EQ(cause.kind, CauseKind::kPart) << cause.name;
   }
@@ -185,9 +185,9 @@ TEST(OnlyWith, NamesWhatTheWrongDrawsShare) {
   const MakesSubject make = MutantMaker("mutant:overflow-unsigned");
   const FailedProperty failure = FailureOf(make, EqualsTheModel());
   ASSERT_NE(failure.property, nullptr);
-  const Explanation found = Explain(make, std::span(&failure, 1), kLongest);
-  ASSERT_EQ(found.causes.size(), 1U);
-  EXPECT_EQ(found.causes.front().name, "overflow");
+  const Causes found = FindCauses(make, std::span(&failure, 1), kLongest);
+  ASSERT_EQ(found.all.size(), 1U);
+  EXPECT_EQ(found.all.front().name, "overflow");
 }
 
 }  // namespace

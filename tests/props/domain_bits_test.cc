@@ -267,9 +267,10 @@ TEST(DomainBits, OfANumberAreTheSameForGoodAndUnderEveryCompiler) {
     }
     EXPECT_EQ(golden->name, domain.name) << "number " << domain.number << " is " << golden->name
                                          << "'s for good: give " << domain.name << " a new one";
-    EXPECT_EQ(golden->hash, hash)
-        << domain.name << " draws otherwise than it did: give it a new number in "
-        << "props/domains/domain.cc, leave its old line here and add one: " << LineOf(domain, hash);
+    EXPECT_EQ(golden->hash, hash) << domain.name
+                                  << " draws otherwise than it did: give it a new number in "
+                                  << "its row, leave its old line here and add one: "
+                                  << LineOf(domain, hash);
   }
 }
 

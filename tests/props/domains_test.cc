@@ -99,7 +99,9 @@ void ExpectValid(const Case& c, const SubjectInfo& info) {
 
 TEST(Domains, HaveDifferentNamesThatAreFoundAgain) {
   std::set<std::string_view> names;
+  std::set<std::uint16_t> numbers;
   for (const Domain& domain : Domains()) {
+    EXPECT_TRUE(numbers.insert(domain.number).second) << domain.name;
     EXPECT_TRUE(names.insert(domain.name).second) << domain.name;
     EXPECT_EQ(FindDomain(domain.name), &domain);
     EXPECT_FALSE(domain.summary.empty());
@@ -209,30 +211,10 @@ TEST(Domains, KeepWindowPlacesWhenTheyGoThroughClipSpace) {
 }
 
 TEST(Domains, PutVerticesOnTheSubpixelGridUnlessTheyAreAboutSnapping) {
-  const std::set<std::string_view> off_grid{"snap-ties",
-                                            "shared-snap-ties",
-                                            "deciding-snap-ties",
-                                            "subnormal",
-                                            "non-finite",
-                                            "primitive-extent-ends",
-                                            "target-size-ends",
-                                            "folds",
-                                            "closed-folds",
-                                            "square-grid-lines",
-                                            "square-crossings",
-                                            "square-interiors",
-                                            "underflowing-products",
-                                            "off-grid-moves",
-                                            "off-grid-fragments",
-                                            "equal-after-snap",
-                                            "scaled-viewports",
-                                            "turned-by-snap",
-                                            "far-corners",
-                                            "near-beside-far"};
   for (const int bits : {0, 4, 8, 16}) {
     const SubjectInfo info = SnappedInfo(bits);
     for (const Domain& domain : Domains()) {
-      if (domain.clip || off_grid.contains(domain.name)) continue;
+      if (domain.clip || domain.off_grid) continue;
       for (std::uint64_t i = 0; i < 40; ++i) {
         for (const Vertex& v : Draw(domain, info, i).scene.vertices) {
           EXPECT_EQ(SnapCoordinate(v.x, info.profile.snap), v.x) << domain.name;
@@ -348,12 +330,7 @@ TEST(NearEdgeCounts, TellOnTheEdgeFromOneStepAndFrom256) {
 TEST(MeshDomains, AreEmbeddedUnlessTheyAreClosedOrCracked) {
   for (const SubjectInfo& info : Infos()) {
     for (const Domain& domain : Domains()) {
-      if (!domain.mesh || domain.clip || !info.takes_window) continue;
-      if (domain.name == "closed-mesh" || domain.name == "t-junctions") continue;
-      if (domain.name == "rounded-arrangements") continue;
-      if (domain.name == "fine-meshes") continue;  // grids coarser than 1/16 fold them
-      if (domain.name == "tessellation-cracks") continue;
-      if (domain.name.ends_with("folds")) continue;  // a legal choice folds them, and may be any
+      if (!domain.mesh || domain.overlaps || domain.clip || !info.takes_window) continue;
       for (std::uint64_t i = 0; i < 40; ++i) {
         const Case c = Draw(domain, info, i);
         EXPECT_EQ(c.options.cull, Cull::kNone);

@@ -28,6 +28,7 @@ namespace flat_and_thin {
 namespace {
 
 constexpr std::array<std::string_view, 3> kSets{"gl", "vulkan", "webgpu"};
+constexpr std::uint64_t kSeeds = Cases<std::uint64_t>(5);
 
 // What is drawn of a triangle in place of what the model draws of it.
 using Instead = std::function<void(const std::array<Vertex, 3>& at, CoverageCounts& counts)>;
@@ -166,7 +167,7 @@ TEST(FlatAndThinTriangles, AreFoundWhereTheyCoverWhatLiesBesideThem) {
                          Way{"a thin one fills its box", IsThin, FillBox},
                          Way{"a thin one is a line of pixels", IsThin, DrawLine}}) {
     for (const std::string_view set : kSets) {
-      for (const std::uint64_t seed : {1U, 2U, 3U}) {
+      for (std::uint64_t seed = 1; seed <= std::min<std::uint64_t>(3, kSeeds); ++seed) {
         FakeSubject subject = DrawnBy(set, nearest, way.is, way.instead);
         EXPECT_EQ(JointOutcome(subject, seed), Outcome::kViolated)
             << way.words << ", " << set << ", seed " << seed;
@@ -181,7 +182,7 @@ TEST(FlatAndThinTriangles, HoldWhereTheyCoverTheirEdgesOrNothing) {
     for (const SnapRule rule : {SnapRule::kNearestEven, SnapRule::kFloor, SnapRule::kTruncate}) {
       const Placing place = [rule](double x) { return By(rule, x); };
       for (const std::string_view set : kSets) {
-        for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+        for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
           FakeSubject subject = DrawnBy(set, place, way.is, way.instead);
           EXPECT_EQ(JointOutcome(subject, seed, RunsMore() ? 1000 : 100), Outcome::kHolds)
               << way.words << ", " << SnapRuleName(rule) << ", " << set << ", seed " << seed;

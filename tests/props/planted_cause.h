@@ -33,15 +33,15 @@ inline Case TrianglesOf(int width, int height, std::vector<Vertex> vertices) {
 }
 
 /// Explains violations of the model by these cases, a property for each list of them.
-inline Explanation ExplainPlanted(const subjects::mutants::FixedStages& stages,
-                                  std::vector<std::vector<Case>> cases,
-                                  double seconds = kLongestSearch) {
+inline Causes ExplainPlanted(const subjects::mutants::FixedStages& stages,
+                             std::vector<std::vector<Case>> cases,
+                             double seconds = kLongestSearch) {
   std::vector<FailedProperty> failures;
   for (std::vector<Case>& of_one : cases) {
     for (Case& c : of_one) c.profile = stages.profile;
     failures.push_back({FindProperty("CoverageEqualsTheModel"), std::move(of_one)});
   }
-  return Explain(Planted(stages), failures, seconds);
+  return FindCauses(Planted(stages), failures, seconds);
 }
 
 }  // namespace rasterproof::props

@@ -13,6 +13,7 @@
 #include "core/profile.h"
 #include "exact/coverage.h"
 #include "props/placed_case.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
@@ -80,7 +81,7 @@ std::vector<Vertex> RandomTriangle(std::mt19937_64& random) {
 // the oracle: each of its own observations leaves a place.
 TEST(SampleRegion, IsNeverEmptyForALegalModel) {
   std::mt19937_64 random(7);
-  for (int run = 0; run < 300; ++run) {
+  for (int run = 0; run < Cases(300); ++run) {
     Profile model = *PresetProfile("vulkan-4x");
     model.sample_positions = SamplePositions::kStated;
     model.pattern.locations = {

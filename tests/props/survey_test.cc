@@ -30,8 +30,8 @@ DomainSurvey SurveyOf(Subject& subject, std::string_view domain, std::uint64_t c
   return SurveyDomain(subject, domain, plan);
 }
 
-const Finding& FindingOf(const DomainSurvey& survey, Fault fault) {
-  const auto found = std::ranges::find(survey.findings, fault, &Finding::fault);
+const FaultyCase& FindingOf(const DomainSurvey& survey, Fault fault) {
+  const auto found = std::ranges::find(survey.findings, fault, &FaultyCase::fault);
   if (found == survey.findings.end()) throw std::runtime_error("it was not found");
   return *found;
 }
@@ -80,7 +80,7 @@ TEST(Survey, CountsAPlantedGapAndKeepsItsCase) {
   const DomainSurvey survey = SurveyOf(subject, "triangulations");
   EXPECT_GT(survey.gaps, 0U);
   EXPECT_EQ(survey.overlaps, 0U);
-  const Finding& gap = FindingOf(survey, Fault::kGap);
+  const FaultyCase& gap = FindingOf(survey, Fault::kGap);
   EXPECT_EQ(ParseCaseName(gap.name).domain, "triangulations");
   EXPECT_EQ(gap.minimal.origin, gap.name);
   EXPECT_LE(gap.minimal.scene.triangles.size(), 4U);
@@ -98,7 +98,7 @@ TEST(Survey, NamesTheFirstCaseSoThatItIsDrawnAgain) {
   const DomainSurvey survey = SurveyDomain(subject, "fans", plan);
   EXPECT_GT(survey.overlaps, 0U);
   EXPECT_EQ(survey.gaps, 0U);
-  const Finding& overlap = FindingOf(survey, Fault::kOverlap);
+  const FaultyCase& overlap = FindingOf(survey, Fault::kOverlap);
   EXPECT_EQ(overlap.minimal, DrawCase(subject.Info(), ParseCaseName(overlap.name)));
 }
 
@@ -150,7 +150,7 @@ TEST(Survey, KeepsTheCaseOfACrashAndGivesTheDomainUpAtTheFourth) {
   FakeSubject subject = testing::Throwing(RealInfo());
   const DomainSurvey survey = SurveyOf(subject, "covering-fans");
   EXPECT_EQ(survey.Faulty(Fault::kEnd), 4U);
-  const Finding& crash = FindingOf(survey, Fault::kEnd);
+  const FaultyCase& crash = FindingOf(survey, Fault::kEnd);
   EXPECT_FALSE(crash.end.empty());
   EXPECT_EQ(crash.minimal.scene.triangles.size(), 1U);
 }

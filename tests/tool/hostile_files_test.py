@@ -2,6 +2,7 @@
 
 usage: hostile_files_test.py PROGRAM
 """
+import concurrent.futures
 import json
 import os
 import resource
@@ -141,16 +142,18 @@ class HostileFilesTest(unittest.TestCase):
         for ending in ("json", "obj", "png"):
             os.symlink(self.path("pipe"), self.path("pipe." + ending))
             os.symlink("/dev/zero", self.path("zero." + ending))
+        calls = []
         for kind in ("pipe", "zero"):
-            for ending in ("json", "obj"):
-                path = self.path(f"{kind}.{ending}")
-                self.refused(path, "coverage", path)
-                self.refused(path, "plan", path)
-            self.refused(kind, "legal", plain, self.path(kind + ".png"), "--profile", "vulkan")
-            self.refused(kind, "check", "--subject", "textbook", "--profile",
-                         self.path(kind + ".json"))
-            self.refused(kind, "certify", "--subject", "textbook", "--cases", "1", "--scenes",
-                         self.path(kind + ".json"), "--out", self.path("out"))
+            scene_file, mesh, picture = (self.path(f"{kind}.{e}") for e in ("json", "obj", "png"))
+            calls += [(path, verb, path) for path in (scene_file, mesh)
+                      for verb in ("coverage", "plan")]  # fmt: skip
+            calls += [(kind, "legal", plain, picture, "--profile", "vulkan"),
+                      (kind, "check", "--subject", "textbook", "--profile", scene_file),
+                      (kind, "certify", "--subject", "textbook", "--cases", "1", "--scenes",
+                       scene_file, "--out", self.path("out"))]  # fmt: skip
+        # Each waits for a writer, for seconds.
+        with concurrent.futures.ThreadPoolExecutor(len(calls)) as pool:
+            list(pool.map(lambda call: self.refused(*call), calls))
 
     def test_files_that_a_mesh_names_are_opened_only_if_they_are_files(self):
         os.mkfifo(self.path("pipe"))

@@ -242,7 +242,7 @@ class PrintedCommands(TemporaryFolder):
         self.write(program, inclusive)
         os.chmod(program, 0o755)
         chosen = ("--exec", shlex.quote(program))
-        done = run("check", *chosen, "--property", MODEL, "--cases", "12")
+        done = run("check", *chosen, "--property", MODEL, "--cases", "12", "--no-cause")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         again = type_in_bash(printed_command(done.stdout.decode(), "replay"))
         self.assertEqual(again.returncode, 1, again.stderr)
@@ -288,15 +288,21 @@ class Explain(TemporaryFolder):
 class SavedFailuresComeFirst(TemporaryFolder):
     FEW = ("--property", MODEL, "--cases", "1")
 
+    @classmethod
+    def setUpClass(cls):
+        cls.found = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.found.cleanup)
+        found = run("check", "--subject", "mutant:cracks-far-off", "--property", MODEL, "--cases",
+                    "2000", "--no-cause", "--save", cls.found.name)  # fmt: skip
+        assert found.returncode == 1, found.stdout
+        (cls.name,) = os.listdir(cls.found.name)
+
     def setUp(self):
         super().setUp()
-        self.saved = os.path.join(self.folder, "saved")
-        found = self.check("mutant:cracks-far-off", "--property", MODEL, "--cases", "2000")
-        self.assertEqual(found.returncode, 1, found.stdout)
-        (self.name,) = os.listdir(self.saved)
+        self.saved = shutil.copytree(self.found.name, os.path.join(self.folder, "saved"))
 
     def check(self, subject, *arguments):
-        return run("check", "--subject", subject, "--save", self.saved, *arguments)
+        return run("check", "--subject", subject, "--no-cause", "--save", self.saved, *arguments)
 
     def test_what_was_saved_is_asked_before_any_case_is_drawn(self):
         alone = run("check", "--subject", "mutant:cracks-far-off", *self.FEW)

@@ -48,6 +48,7 @@
 #include "tool/progress.h"
 #include "tool/scene_source.h"
 #include "tool/shared_files.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -19,9 +19,9 @@
 #include "report/limits_text.h"
 #include "tool/bench/cmd_bench.h"
 #include "tool/bench/limits.h"
-#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {

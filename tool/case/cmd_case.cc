@@ -30,14 +30,14 @@
 #include "report/picture.h"
 #include "report/text.h"
 #include "tool/case/replay.h"
-#include "tool/certify/certify.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/failure.h"
 #include "tool/interrupt.h"
 #include "tool/legal/cmd_legal.h"
 #include "tool/legal/legality.h"
-#include "tool/outside.h"
+#include "tool/load_case.h"
+#include "tool/not_stated.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
@@ -207,8 +207,8 @@ std::string PixelLine(const report::Explanation& explanation, int x, int y) {
 
 // What was drawn, as code, with the verdict in its comments.
 std::string CodeOf(std::string_view language, const LoadedCase& loaded, const Verdict& verdict) {
-  const std::string line = FailureLine(PropertyName(loaded), loaded.value,
-                                       WithCountsAsGiven(verdict, loaded.subject->Info()));
+  const std::string line =
+      FailureLine(loaded.subject->Info(), PropertyName(loaded), loaded.value, verdict);
   const std::string notes =
       fmt::format("{}: {}\n{}replay: {}", loaded.subject->Info().name, OutcomeName(verdict.outcome),
                   verdict.outcome == Outcome::kViolated ? line + "\n" : "", loaded.replay);
@@ -219,7 +219,7 @@ std::string CodeOf(std::string_view language, const LoadedCase& loaded, const Ve
 }  // namespace
 
 int Replay(const ReplayOptions& options, LoadedCase loaded) {
-  const Verdict verdict = options.shrink.empty() ? Judge(loaded) : Shrink(options, loaded);
+  Verdict verdict = options.shrink.empty() ? Judge(loaded) : Shrink(options, loaded);
   if (options.shrink == "-") return StatusOf(verdict.outcome);
   if (!options.as.empty()) {
     io::WriteStandardOutput(CodeOf(options.as, loaded, verdict));
@@ -230,8 +230,9 @@ int Replay(const ReplayOptions& options, LoadedCase loaded) {
                                  OutcomeName(verdict.outcome), verdict.exercised,
                                  verdict.message.empty() ? "" : "; ", verdict.message);
   if (verdict.outcome == Outcome::kViolated) {
-    text += FailureText(*loaded.subject, PropertyName(loaded), loaded.value, verdict, loaded.replay,
-                        /*colour=*/false);
+    SeeIfItCan(*loaded.subject, loaded.value, verdict);
+    text += FailureText(loaded.subject->Info(), PropertyName(loaded), loaded.value, verdict,
+                        loaded.replay);
   }
   io::WriteStandardOutput(report::CleanText(text));
   return StatusOf(verdict.outcome);
@@ -290,8 +291,8 @@ int ExplainDrawing(const ExplainOptions& options, io::CaseFile file) {
     again += fmt::format(" --pixel {},{}", options.x, options.y);
   }
   verdict.compared = std::make_shared<ComparedCounts>(observed, expected);
-  const std::unique_ptr<Subject> oracle = MakeOracle("exact", c.profile);
-  const report::Explanation explanation = Explain(*oracle, c, verdict, again);
+  const report::Explanation explanation =
+      Explain(MakeOracle("exact", c.profile)->Info(), c, verdict, again);
   ShowExplanation(
       options, explanation,
       "expected: what the canonical model of the profile covers; the drawing may differ "
@@ -324,19 +325,20 @@ int RunExplain(const ExplainOptions& options) {
   // There is nothing to see of what was not drawn.
   if (verdict.outcome == Outcome::kRefused || verdict.outcome == Outcome::kInconclusive) {
     io::WriteStandardOutput(
-        report::CleanText(FailureLine(PropertyName(loaded), loaded.value,
-                                      WithCountsAsGiven(verdict, loaded.subject->Info()))) +
+        report::CleanText(
+            FailureLine(loaded.subject->Info(), PropertyName(loaded), loaded.value, verdict)) +
         "\n" + SceneLine(loaded.value) + "\n" + DrawnLine(loaded.value, verdict));
     return StatusOf(verdict.outcome);
   }
-  report::Explanation explanation = Explain(*loaded.subject, loaded.value, shown, again);
+  See(*loaded.subject, loaded.value, shown);
+  report::Explanation explanation = Explain(loaded.subject->Info(), loaded.value, shown, again);
   if (explanation.headline.empty()) {
     explanation.headline =
         fmt::format("{} {}", loaded.subject->Info().name, OutcomeName(verdict.outcome));
   }
-  std::string text = FailureLine(PropertyName(loaded), loaded.value,
-                                 WithCountsAsGiven(verdict, loaded.subject->Info())) +
-                     "\n" + DrawnLine(loaded.value, verdict);
+  std::string text =
+      FailureLine(loaded.subject->Info(), PropertyName(loaded), loaded.value, verdict) + "\n" +
+      DrawnLine(loaded.value, verdict);
   if (chosen) text += PixelLine(explanation, options.x, options.y) + "\n";
   ShowExplanation(options, explanation, text);
   return StatusOf(verdict.outcome);

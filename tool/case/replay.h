@@ -8,7 +8,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 #include "tool/case/cmd_case.h"
-#include "tool/session.h"
+#include "tool/load_case.h"
 
 namespace rasterproof::tool {
 

@@ -25,17 +25,17 @@
 #include "props/run/conclude.h"
 #include "props/run/contract_evidence.h"
 #include "props/run/not_asked.h"
-#include "subjects/process/process.h"
+#include "tool/case_choice.h"
 #include "tool/certify/cmd_certify.h"
 #include "tool/certify/evidence.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
 #include "tool/description.h"
 #include "tool/interrupt.h"
-#include "tool/outside.h"
 #include "tool/resolve.h"
 #include "tool/session.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -158,9 +158,6 @@ SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>
 /// Returns:    the exit status.
 int Certify(const CertifyOptions& options, const Source& source);
 
-/// Why the counts of the scene's samples are not stated by the profile; empty if they are.
-std::string WhyNotStated(const Scene& scene, const Profile& profile);
-
 /// Pictures of real scenes, and of what every violated subject got wrong, for the page to show.
 ///
 /// Domain:     certificates that know their folders.

@@ -55,12 +55,12 @@ const SceneResult* WrongOn(const report::Certificate& certificate, const std::st
 
 // The case, explained; nothing if it can't be.
 std::optional<report::Picture> Explained(const report::Certificate& certificate, const Case& c,
-                                         const Verdict& verdict, const std::string& replay,
+                                         Verdict verdict, const std::string& replay,
                                          const std::string& file) {
   const std::string& name = certificate.subject.name;
   try {
-    const std::unique_ptr<Subject> subject = MakeSubject(name);
-    report::Explanation explanation = Explain(*subject, c, verdict, "");
+    if (!HoldsWhatWasSeen(verdict, c)) See(*MakeSubject(name), c, verdict);
+    report::Explanation explanation = Explain(certificate.subject, c, verdict, "");
     explanation.headline.clear();  // the page shows it above the picture, the command below it
     if (explanation.edge_values.size() > kMostEdgeValues) {
       explanation.edge_values.resize(kMostEdgeValues);

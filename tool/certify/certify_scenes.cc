@@ -26,18 +26,17 @@
 #include "tool/certify/certify.h"
 #include "tool/interrupt.h"
 #include "tool/legal/legality.h"
-#include "tool/outside.h"
+#include "tool/not_stated.h"
 #include "tool/scene_source.h"
 #include "tool/session.h"
 #include "tool/shared_files.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr std::string_view kNotJudged = ": observed, not judged";
 
 std::string WhyNotTaken(const SubjectInfo& info, const Scene& scene) {
   if (scene.clip_space && !info.takes_clip) return "the scene is in clip space";
@@ -223,23 +222,6 @@ std::string SharedName(const std::string& file, const std::string& scene_set) {
 }
 
 }  // namespace
-
-std::string WhyNotStated(const Scene& scene, const Profile& profile) {
-  if (!WithinLimits(scene, profile)) {
-    return "coordinates or a target beyond what the profile states" + std::string(kNotJudged);
-  }
-  if (!IsUnclipped(scene, {profile, scene})) {
-    return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);
-  }
-  if (profile.degenerate_triangles == DegenerateTriangles::kNothing) return "";
-  if (scene.clip_space && !profile.snap.IsNone()) {
-    return "areas after the division and snapping are not decided" + std::string(kNotJudged);
-  }
-  return exact::PlacedScene(scene, profile).flat.empty()
-             ? ""
-             : "triangles of zero area, which the profile leaves unspecified" +
-                   std::string(kNotJudged);
-}
 
 MeasuredScene::MeasuredScene(const io::SceneEntry& entry, const std::string& path, Scene scene)
     : name_(entry.name),

@@ -25,7 +25,6 @@
 #include "report/grounds.h"
 #include "report/page.h"
 #include "report/text.h"
-#include "subjects/builtin/builtin.h"
 #include "tool/certify/certify.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
@@ -34,10 +33,11 @@
 #include "tool/exit_status.h"
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
-#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
@@ -265,7 +265,7 @@ int ExitStatus(const std::vector<report::Certificate>& certificates, bool survey
 // Each once, in order; misspelt names are found before any work.
 std::vector<SubjectFactory> SubjectsOf(const CertifyOptions& options) {
   std::vector<SubjectFactory> subjects;
-  for (const std::string& name : options.all ? subjects::BuiltinNames() : options.subjects) {
+  for (const std::string& name : options.all ? BuiltInNames() : options.subjects) {
     if (std::ranges::find(subjects, name, &SubjectFactory::name) != subjects.end()) continue;
     NotePreset(subjects.emplace_back(ResolveSubject(name, options.profile)).Make()->Info().profile);
   }

@@ -12,16 +12,17 @@
 #include "fmt/format.h"
 #include "props/domains/worlds.h"
 #include "report/text.h"
+#include "tool/case_choice.h"
 #include "tool/certify/certify.h"
 #include "tool/certify/cmd_certify.h"
 #include "tool/certify/part_check.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
 #include "tool/environment.h"
-#include "tool/outside.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
+#include "tool/resolve_case.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -6,8 +6,6 @@
 
 #include "fmt/format.h"
 #include "fmt/ranges.h"
-#include "props/run/property_domains.h"
-#include "tool/check/findings.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -26,7 +24,7 @@ std::string Suspected(const Cause& cause) {
   return text + fmt::format(", or one of {} others", cause.what.size() - kMostNamed);
 }
 
-std::string Found(const Cause& cause, const props::Explanation& explanation) {
+std::string Found(const Cause& cause, const props::Causes& causes) {
   switch (cause.kind) {
     case CauseKind::kModel:
       return fmt::format("your answers equal those of {} ({} of {} draws)", Suspected(cause),
@@ -49,12 +47,11 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
       return fmt::format("no suspect explains it; what is drawn wrong is right {}",
                          cause.what.front());
     case CauseKind::kShownValues:
-      return fmt::format(
-          "{}the fault is in values that are shown beside coverage: {}",
-          explanation.wrong == 0
-              ? fmt::format("all {} are as stated; ", Counted(explanation.draws, "draw", "draws"))
-              : "",
-          cause.what.front());
+      return fmt::format("{}the fault is in values that are shown beside coverage: {}",
+                         causes.wrong == 0 ? fmt::format("all {} are as stated; ",
+                                                         Counted(causes.draws, "draw", "draws"))
+                                           : "",
+                         cause.what.front());
     case CauseKind::kUnexplained:
       break;
   }
@@ -62,59 +59,46 @@ std::string Found(const Cause& cause, const props::Explanation& explanation) {
     return fmt::format("too few draws to name a cause: only {} drawn wrong, as by {}",
                        Counted(cause.wrong_scenes, "scene is", "scenes are"), Suspected(cause));
   }
-  return fmt::format("no suspect explains it ({} suspects, {} draws)", explanation.suspects,
-                     explanation.draws);
+  return fmt::format("no suspect explains it ({} suspects, {} draws)", causes.suspects,
+                     causes.draws);
 }
 
 }  // namespace
 
-bool IsWrong(const Verdict& verdict) {
-  return verdict.outcome == Outcome::kViolated && !verdict.broke_down;
-}
-
-std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
-                                              const SubjectInfo& subject) {
-  if (result.outcome != Outcome::kViolated || !result.counterexample) return std::nullopt;
-  const Counterexample& found = *result.counterexample;
-  if (!IsWrong(found.verdict)) return std::nullopt;
-  props::FailedProperty failure{props::FindProperty(result.property), {found.value}};
-  if (failure.property == nullptr) return std::nullopt;
-  if (found.value.name) failure.cases.push_back(props::DrawCase(subject, *found.value.name));
-  return failure;
-}
-
 std::string NameOfCause(const Cause& cause) { return cause.name.empty() ? "none" : cause.name; }
 
-std::string CauseText(const Cause& cause, const props::Explanation& explanation) {
-  std::string text = Found(cause, explanation);
+std::string CauseText(const Cause& cause, const props::Causes& causes) {
+  std::string text = Found(cause, causes);
   if (!cause.only_with.empty())
     text += fmt::format("; it fails only with {}", fmt::join(cause.only_with, " and "));
   if (!cause.pattern.empty()) text += "; every wrong sample " + cause.pattern;
   return text;
 }
 
-std::string CausesText(const props::Explanation& explanation,
-                       const std::vector<props::FailedProperty>& failures) {
+std::string CausesText(const Findings& found) {
+  const std::vector<Cause>& causes = found.causes.all;
+  if (causes.empty()) return "";
+  const auto explained = static_cast<std::size_t>(std::ranges::count_if(
+      found.all, [](const Finding& finding) { return finding.cause.has_value(); }));
   std::string text;
-  for (const Cause& cause : explanation.causes) {
-    text += fmt::format("cause: {}; docs/causes.md#{}\n", CauseText(cause, explanation),
+  for (const Cause& cause : causes) {
+    text += fmt::format("cause: {}; docs/causes.md#{}\n", CauseText(cause, found.causes),
                         NameOfCause(cause));
-    if (failures.size() == 1) continue;
+    if (explained == 1) continue;
     std::vector<std::string_view> names;
-    for (const std::size_t k : cause.properties) names.push_back(failures[k].property->name);
+    for (const std::size_t k : cause.properties) names.push_back(found.all[k].result.property);
     const bool is_open = cause.kind == CauseKind::kUnexplained;
     text += fmt::format("  {} {}\n", is_open ? "open:" : "explains", fmt::join(names, ", "));
   }
-  if (explanation.causes.empty()) return text;
-  if (explanation.is_cut_short) {
+  if (found.causes.is_cut_short) {
     text +=
         "  the search for causes was cut short: another suspect may explain them as well; "
         "--cause-seconds gives it more time\n";
   }
   const auto named = std::ranges::count_if(
-      explanation.causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });
+      causes, [](const Cause& c) { return c.kind != CauseKind::kUnexplained; });
   return text + fmt::format("{}, {}\n",
-                            Counted(failures.size(), "violated property", "violated properties"),
+                            Counted(explained, "violated property", "violated properties"),
                             Counted(static_cast<std::size_t>(named), "cause", "causes"));
 }
 

@@ -2,35 +2,23 @@
 #ifndef RASTERPROOF_TOOL_CHECK_CAUSES_H_
 #define RASTERPROOF_TOOL_CHECK_CAUSES_H_
 
-#include <optional>
 #include <string>
-#include <vector>
 
-#include "core/result.h"
-#include "core/subject_info.h"
 #include "props/cause/cause.h"
 #include "props/cause/evidence.h"
+#include "tool/check/findings.h"
 
 namespace rasterproof::tool {
-
-/// Whether the subject drew something wrong. A breakdown needs no other cause.
-bool IsWrong(const Verdict& verdict);
-
-/// The violated property with its shrunken case and the one that was drawn; nothing if the result
-/// has no counterexample, or the subject broke down on it.
-std::optional<props::FailedProperty> FailedBy(const PropertyResult& result,
-                                              const SubjectInfo& subject);
 
 /// The cause's section of docs/causes.md: "truncation", or "none".
 std::string NameOfCause(const props::Cause& cause);
 
 /// What was found, without its section: "your answers equal those of ...".
-std::string CauseText(const props::Cause& cause, const props::Explanation& explanation);
+std::string CauseText(const props::Cause& cause, const props::Causes& causes);
 
 /// A line for each cause, with the properties that it explains, and a line with their numbers.
 /// Empty without causes.
-std::string CausesText(const props::Explanation& explanation,
-                       const std::vector<props::FailedProperty>& failures);
+std::string CausesText(const Findings& found);
 
 }  // namespace rasterproof::tool
 

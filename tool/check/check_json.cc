@@ -27,11 +27,10 @@ void AddPlace(JsonWriter& json, const Witness& witness) {
   }
 }
 
-void AddFailure(JsonWriter& json, const Findings& found, std::size_t k) {
-  const Finding& finding = found.all[k];
-  const FailureShown& failure = *finding.failure;
-  const Witness none;
-  const Witness& witness = failure.verdict.witness ? *failure.verdict.witness : none;
+void AddFailure(JsonWriter& json, const Findings& found, const Finding& finding) {
+  const Counterexample& failure = *finding.result.counterexample;
+  const Witness witness =
+      WithCountsAsGiven(failure.verdict, found.info).witness.value_or(Witness());
   json.BeginObject().Key("property").Text(finding.result.property);
   json.Key("outcome").Text(OutcomeName(finding.result.outcome));
   json.Key("clause").Text(finding.result.clause);
@@ -39,8 +38,8 @@ void AddFailure(JsonWriter& json, const Findings& found, std::size_t k) {
   for (const std::string& id : finding.result.required_by) json.Text(id);
   json.EndArray().Key("fails").Bool(FailsTheRun(found, finding));
   json.Key("known").Bool(finding.is_known);
-  if (const props::Cause* cause = CauseOf(found, k)) {
-    json.Key("cause").Text(NameOfCause(*cause));
+  if (finding.cause) {
+    json.Key("cause").Text(NameOfCause(found.causes.all[*finding.cause]));
   } else {
     json.Key("cause").Null();
   }
@@ -48,11 +47,11 @@ void AddFailure(JsonWriter& json, const Findings& found, std::size_t k) {
   AddPlace(json, witness);
   json.Key("expected").Text(TextOfValue(witness.expected));
   json.Key("actual").Text(TextOfValue(witness.observed));
-  json.Key("drawn_as").Text(failure.drawn_as);
+  json.Key("drawn_as").Text(failure.failing_case);
   const io::CaseFile file{failure.value, found.subject, finding.result.property,
                           failure.verdict.drawn};
   json.Key("case").Value(InOneLine(io::CaseToJson(file)));
-  json.Key("next").Text(failure.replay).EndObject();
+  json.Key("next").Text(finding.replay).EndObject();
 }
 
 void AddProperty(JsonWriter& json, const Findings& found, const Finding& finding) {
@@ -68,12 +67,11 @@ void AddProperty(JsonWriter& json, const Findings& found, const Finding& finding
 
 void AddCause(JsonWriter& json, const Findings& found, const props::Cause& cause) {
   json.BeginObject().Key("cause").Text(NameOfCause(cause));
-  json.Key("text").Text(CauseText(cause, found.explanation));
+  json.Key("text").Text(CauseText(cause, found.causes));
   json.Key("wrong_scenes").Integer(cause.wrong_scenes);
   json.Key("too_few").Bool(cause.rests_on_few);
   json.Key("properties").BeginArrayLine();
-  for (const std::size_t k : cause.properties)
-    json.Text(found.all[found.explained[k]].result.property);
+  for (const std::size_t k : cause.properties) json.Text(found.all[k].result.property);
   json.EndArray().EndObject();
 }
 
@@ -86,15 +84,15 @@ std::string CheckJson(std::span<const Findings> subjects, int status) {
   json.Key("subjects").BeginArray();
   for (const Findings& found : subjects) {
     json.BeginObject().Key("subject").Text(found.subject);
-    json.Key("profile").Text(io::ProfileName(found.profile));
+    json.Key("profile").Text(io::ProfileName(found.info.profile));
     json.Key("status").Integer(StatusOf(found)).Key("not_asked").Integer(found.not_asked);
     report::WriteEvidence(json, "unasked", found.unasked);
     json.Key("failures").BeginArray();
-    for (std::size_t k = 0; k < found.all.size(); ++k) {
-      if (found.all[k].failure) AddFailure(json, found, k);
+    for (const Finding& finding : found.all) {
+      if (finding.result.counterexample) AddFailure(json, found, finding);
     }
     json.EndArray().Key("causes").BeginArray();
-    for (const props::Cause& cause : found.explanation.causes) AddCause(json, found, cause);
+    for (const props::Cause& cause : found.causes.all) AddCause(json, found, cause);
     json.EndArray().Key("properties").BeginArray();
     for (const Finding& finding : found.all) AddProperty(json, found, finding);
     json.EndArray().EndObject();

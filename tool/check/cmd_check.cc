@@ -51,10 +51,11 @@
 #include "tool/file_names.h"
 #include "tool/interrupt.h"
 #include "tool/known_failures.h"
-#include "tool/outside.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/session.h"
+#include "tool/subject_kinds.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
@@ -78,13 +79,6 @@ std::string SaveCounterexample(const std::string& folder, const std::string& sta
   return path;
 }
 
-// What was found of one property; nothing of one that was not begun.
-struct Share {
-  std::optional<Finding> finding;
-  std::string cases;  // for --cases-json
-  bool is_whole = false;
-};
-
 // Ends the run with the first violation, if that is asked for. Several threads look at once.
 class FailFast {
  public:
@@ -92,9 +86,8 @@ class FailFast {
            const std::string& subject)
       : is_on_(options.fail_fast), fail_on_(options.fail_on), known_(known), subject_(subject) {}
   bool HasFailed() const { return has_failed_; }
-  void Look(const Share& share) {
-    if (!is_on_ || !share.finding) return;
-    const PropertyResult& result = share.finding->result;
+  void Look(const PropertyResult& result) {
+    if (!is_on_) return;
     if (IsFailure(result, fail_on_) && !IsKnown(known_, Today(), subject_, result.property))
       has_failed_ = true;
   }
@@ -107,30 +100,36 @@ class FailFast {
   std::atomic<bool> has_failed_ = false;
 };
 
-using Ask = std::function<void(std::size_t worker, const props::Property& property, Share& share)>;
+using Ask = std::function<Finding(std::size_t worker, const props::Property& property)>;
 
-// The members of the crew share the properties. If one of them throws, `error` is that, and the
-// shares end with what it found up to there.
-std::vector<Share> ShareOut(const Crew& crew, const Properties& properties, const Ask& ask,
-                            FailFast& fail_fast, std::exception_ptr& error) {
-  std::vector<Share> shares(properties.size());
+// The members of the crew share the properties; what they find is added in their order. An error is
+// thrown again after what was found up to there.
+void AskAll(const Crew& crew, const Properties& properties, const Ask& ask, FailFast& fail_fast,
+            Findings& found) {
+  std::vector<std::optional<Finding>> findings(properties.size());
   const int jobs = static_cast<int>(crew.size());
   const std::vector<std::size_t> order = OrderOfWork(
       jobs, properties.size(), [&](std::size_t k) { return properties[k]->takes_long; });
+  std::exception_ptr error;
   try {
     ShareWork(jobs, order, [&](std::size_t worker, std::size_t k) {
-      if (!Interrupted() && !fail_fast.HasFailed()) {
-        ask(worker, *properties[k], shares[k]);
-        fail_fast.Look(shares[k]);
-      }
-      shares[k].is_whole = true;
+      if (Interrupted() || fail_fast.HasFailed()) return;
+      findings[k] = ask(worker, *properties[k]);
+      fail_fast.Look(findings[k]->result);
     });
-  } catch (...) {  // thrown again once the results so far are printed
+  } catch (...) {
     error = std::current_exception();
-    const auto failed = std::ranges::find(shares, false, &Share::is_whole);
-    shares.erase(std::next(failed), shares.end());
   }
-  return shares;
+  for (std::optional<Finding>& finding : findings) {
+    if (finding) {
+      found.all.push_back(*std::move(finding));
+    } else if (error) {
+      break;
+    } else if (fail_fast.HasFailed()) {
+      ++found.not_asked;
+    }
+  }
+  if (error) std::rethrow_exception(error);
 }
 
 // A case and its outcome, as a line of JSON.
@@ -194,21 +193,19 @@ std::string Exercised(const PropertyResult& result) {
                      result.cases_exercised);
 }
 
-// How the failure on the case is shown; `choice` runs it again.
-FailureShown Shown(Subject& subject, const std::string& property, const Case& c,
-                   const Verdict& verdict, CaseChoice choice, const CheckOptions& options) {
+// Completes a finding with a case that failed, for all outputs; `choice` runs the case again.
+void AddFailure(Subject& subject, CaseChoice choice, const CheckOptions& options,
+                Finding& finding) {
+  Counterexample& found = *finding.result.counterexample;
+  SeeIfItCan(subject, found.value, found.verdict);
   choice.subject = subject.Info().name;
-  choice.property = property;
+  choice.property = finding.result.property;
   choice.profile = options.profile;
   choice.list_length = options.list_length;
-  FailureShown shown{
-      c, WithCountsAsGiven(verdict, subject.Info()), {}, {}, CommandFor("replay", choice)};
-  shown.text = FailureText(subject, property, c, verdict, shown.replay, /*colour=*/false);
-  shown.brief = FailureLine(property, c, shown.verdict) + "\nreplay: " + shown.replay + "\n";
-  return shown;
+  finding.replay = CommandFor("replay", choice);
 }
 
-// How the result of a property on generated cases is shown.
+// The result of a property on generated cases.
 Finding FindingOf(Subject& subject, PropertyResult result, const CheckOptions& options) {
   Finding finding{std::move(result)};
   if (WasNotAsked(finding.result)) return finding;
@@ -220,11 +217,7 @@ Finding FindingOf(Subject& subject, PropertyResult result, const CheckOptions& o
                     ? InlineCase(found.value)
                     : SaveCounterexample(options.save, subject.Info().stated_name, finding.result);
   if (choice.path.empty()) choice.name = found.failing_case;
-  finding.failure =
-      Shown(subject, finding.result.property, found.value, found.verdict, choice, options);
-  finding.failure->AddName(found.failing_case);
-  if (IsFailure(finding.result, options.fail_on))
-    finding.failure->failed = FailedBy(finding.result, subject.Info());
+  AddFailure(subject, std::move(choice), options, finding);
   return finding;
 }
 
@@ -250,18 +243,6 @@ void AddUnasked(const Subject& subject, Findings& found) {
   found.unasked = UnaskedOf(subject.Info(), props::OutputsOf(subject), results);
 }
 
-// Adds the shares, in their order.
-void Add(std::vector<Share> shares, const FailFast& fail_fast, Findings& found) {
-  for (Share& share : shares) {
-    if (share.finding) {
-      found.cases += share.cases;
-      found.all.push_back(std::move(*share.finding));
-    } else if (fail_fast.HasFailed()) {
-      ++found.not_asked;
-    }
-  }
-}
-
 // One property on one given case.
 Finding AskOfGiven(Subject& subject, const props::Property& property, const GivenCase& given,
                    const Case& c, const CheckOptions& options) {
@@ -278,15 +259,14 @@ Finding AskOfGiven(Subject& subject, const props::Property& property, const Give
   if (verdict.outcome != Outcome::kViolated) return finding;
   CaseChoice choice;
   (given.name ? choice.name : choice.path) = given.place;
-  finding.failure = Shown(subject, result.property, c, verdict, choice, options);
-  if (IsWrong(verdict) && IsFailure(result, options.fail_on))
-    finding.failure->failed = {&property, {c}};
+  result.counterexample = {c, verdict, verdict.outcome, verdict.message};
+  AddFailure(subject, std::move(choice), options, finding);
   return finding;
 }
 
 // The first of the saved failures of the property that the subject still shows.
-bool FailsAsSaved(Subject& subject, const props::Property& property, const ResolvedCheck& asked,
-                  const CheckOptions& options, Share& share) {
+std::optional<Finding> FailsAsSaved(Subject& subject, const props::Property& property,
+                                    const ResolvedCheck& asked, const CheckOptions& options) {
   const auto [first, last] = asked.saved.equal_range(std::string(property.name));
   for (auto saved = first; saved != last; ++saved) {
     Case c = saved->second.value;
@@ -295,37 +275,33 @@ bool FailsAsSaved(Subject& subject, const props::Property& property, const Resol
     Finding finding = AskOfGiven(subject, property, saved->second, c, options);
     if (finding.result.outcome != Outcome::kViolated) continue;
     finding.place.clear();
-    share.finding = std::move(finding);
-    return true;
+    return finding;
   }
-  return false;
+  return std::nullopt;
 }
 
 void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& asked,
                     const CheckOptions& options, FailFast& fail_fast, Progress& progress,
                     Findings& found) {
   props::Pace pace;
-  std::exception_ptr error;
-  std::vector<Share> shares = ShareOut(
-      crew, asked.properties,
-      [&](std::size_t worker, const props::Property& property, Share& share) {
-        Subject& own = crew.Of(worker);
-        if (FailsAsSaved(own, property, asked, options, share)) return;
-        const auto run = [&](const props::World* world) {
-          return Campaign(own, subject, property, options, progress, worker, pace, share.cases,
-                          world);
-        };
-        PropertyResult result = run(nullptr);
-        const bool has_failed = result.outcome == Outcome::kViolated;
-        if (!has_failed && props::IsPutToWidthInputs(property.name, own.Info())) {
-          PropertyResult of_widths = run(&props::WidthInputs());
-          if (of_widths.outcome == Outcome::kViolated) result = std::move(of_widths);
-        }
-        share.finding = FindingOf(own, std::move(result), options);
-      },
-      fail_fast, error);
-  Add(std::move(shares), fail_fast, found);
-  if (error) std::rethrow_exception(error);
+  const Ask ask = [&](std::size_t worker, const props::Property& property) {
+    Subject& own = crew.Of(worker);
+    if (auto saved = FailsAsSaved(own, property, asked, options)) return *std::move(saved);
+    std::string cases;
+    const auto run = [&](const props::World* world) {
+      return Campaign(own, subject, property, options, progress, worker, pace, cases, world);
+    };
+    PropertyResult result = run(nullptr);
+    const bool has_failed = result.outcome == Outcome::kViolated;
+    if (!has_failed && props::IsPutToWidthInputs(property.name, own.Info())) {
+      PropertyResult of_widths = run(&props::WidthInputs());
+      if (of_widths.outcome == Outcome::kViolated) result = std::move(of_widths);
+    }
+    Finding finding = FindingOf(own, std::move(result), options);
+    finding.cases = std::move(cases);
+    return finding;
+  };
+  AskAll(crew, asked.properties, ask, fail_fast, found);
 }
 
 // A case is judged by what the subject states, which may be another model than the file's.
@@ -344,33 +320,36 @@ void CheckGiven(Crew& crew, const SubjectFactory& subject, const ResolvedCheck& 
   for (const GivenCase& given : asked.cases) {
     const Case c = CaseFor(crew.Of(0), given);
     NoteOtherProfile(crew.Of(0).Info(), given, options);
-    std::exception_ptr error;
-    std::vector<Share> shares = ShareOut(
-        crew, asked.properties,
-        [&](std::size_t worker, const props::Property& property, Share& share) {
-          progress.Stage(fmt::format("{} {} on {}", subject.name(), property.name, given.place), 0,
-                         worker);
-          share.finding = AskOfGiven(crew.Of(worker), property, given, c, options);
-          progress.Stage("", 0, worker);
-        },
-        fail_fast, error);
-    Add(std::move(shares), fail_fast, found);
-    if (error) std::rethrow_exception(error);
+    const Ask ask = [&](std::size_t worker, const props::Property& property) {
+      progress.Stage(fmt::format("{} {} on {}", subject.name(), property.name, given.place), 0,
+                     worker);
+      Finding finding = AskOfGiven(crew.Of(worker), property, given, c, options);
+      progress.Stage("", 0, worker);
+      return finding;
+    };
+    AskAll(crew, asked.properties, ask, fail_fast, found);
   }
 }
 
 // Looks for what explains the violations. No suspect is made for a subject that passes.
-std::string Causes(const SubjectFactory& subject, const CheckOptions& options, Findings& found) {
+void LookForCauses(const SubjectFactory& subject, const CheckOptions& options, Findings& found) {
   std::vector<props::FailedProperty> failed;
+  std::vector<std::size_t> places;
   for (std::size_t k = 0; k < found.all.size(); ++k) {
-    const std::optional<FailureShown>& failure = found.all[k].failure;
-    if (!failure || !failure->failed) continue;
-    failed.push_back(*failure->failed);
-    found.explained.push_back(k);
+    if (!IsFailure(found.all[k].result, options.fail_on)) continue;
+    auto one = props::FailedBy(found.all[k].result, found.info);
+    if (!one) continue;
+    failed.push_back(*std::move(one));
+    places.push_back(k);
   }
-  if (options.no_cause || failed.empty() || Interrupted()) return "";
-  found.explanation = props::Explain([&] { return subject.Make(); }, failed, options.cause_seconds);
-  return CausesText(found.explanation, failed);
+  if (options.no_cause || failed.empty() || Interrupted()) return;
+  found.causes = props::FindCauses([&] { return subject.Make(); }, failed, options.cause_seconds);
+  for (std::size_t cause = 0; cause < found.causes.all.size(); ++cause) {
+    for (std::size_t& place : found.causes.all[cause].properties) {
+      place = places[place];
+      found.all[place].cause = cause;
+    }
+  }
 }
 
 // What finds out more about a subject of the user's own that does not draw as it states.
@@ -385,7 +364,8 @@ std::string Hint(const std::string& subject, const Findings& found, const std::s
 // An entry may name the subject as it does itself, which is the same wherever its files lie.
 std::vector<KnownFailure> KnownOf(std::vector<KnownFailure> known, const Findings& found) {
   for (KnownFailure& entry : known) {
-    if (!entry.subject.empty() && entry.subject == found.stated_name) entry.subject = found.subject;
+    if (!entry.subject.empty() && entry.subject == found.info.stated_name)
+      entry.subject = found.subject;
   }
   return known;
 }
@@ -395,8 +375,7 @@ Findings Check(const SubjectFactory& subject, const ResolvedCheck& asked,
                const CheckOptions& options) {
   Crew crew(options.jobs, [&](std::size_t) { return subject.Make(); });
   NotePreset(crew.Of(0).Info().profile);
-  Findings found{subject.name(), options.fail_on, crew.Of(0).Info().profile};
-  found.stated_name = crew.Of(0).Info().stated_name;
+  Findings found{subject.name(), options.fail_on, crew.Of(0).Info()};
   const std::vector<KnownFailure> known = KnownOf(asked.known, found);
   FailFast fail_fast(options, known, subject.name());
   try {
@@ -431,12 +410,12 @@ int RunCheck(const CheckOptions& options) {
   for (const SubjectFactory& subject : asked.subjects) {
     if (Interrupted()) break;
     Findings found = Check(subject, asked, options);
-    cases += found.cases;
-    const std::string causes = Causes(subject, options, found);
+    for (const Finding& finding : found.all) cases += finding.cases;
+    LookForCauses(subject, options, found);
     ApplyKnownFailures(KnownOf(asked.known, found), Today(), found);
     if (options.json != "-") {
-      io::WriteStandardOutput(FindingsText(found, options.verbose) + causes +
-                              report::AssumptionLines(found.profile) + LastLine(found) +
+      io::WriteStandardOutput(FindingsText(found, options.verbose) + CausesText(found) +
+                              report::AssumptionLines(found.info.profile) + LastLine(found) +
                               Hint(subject.name(), found, options.profile));
     }
     status = WorseStatus(status, StatusOf(found));

@@ -8,7 +8,9 @@
 #include "props/run/conclude.h"
 #include "report/grounds.h"
 #include "report/text.h"
+#include "tool/check/causes.h"
 #include "tool/exit_status.h"
+#include "tool/failure.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -53,9 +55,12 @@ std::string_view OutcomeWord(const PropertyResult& result, FailOn fail_on) {
 }
 
 // Less is worse. A breakdown is worse than a wrong sample.
-int Rank(const Findings& found, const Finding& finding) {
+int Rank(const Findings& of, const Finding& finding) {
   const PropertyResult& result = finding.result;
-  if (FailsTheRun(found, finding)) return finding.failure && finding.failure->failed ? 1 : 0;
+  if (FailsTheRun(of, finding)) {
+    const auto& found = result.counterexample;
+    return found && found->verdict.outcome == Outcome::kViolated && !found->verdict.broke_down;
+  }
   if (finding.is_known) return 4;
   switch (result.outcome) {
     case Outcome::kInconclusive:
@@ -79,6 +84,22 @@ bool IsOfInterest(const Finding& finding) {
   // Whoever gives a scene with a crack would see the crack.
   if (result.in_gaps != 0 && !finding.place.empty()) return true;
   return result.outcome != Outcome::kHolds && result.outcome != Outcome::kNotExercised;
+}
+
+// In full: scene, picture, edge values, the command.
+std::string FullText(const Findings& found, const Finding& finding) {
+  const Counterexample& failed = *finding.result.counterexample;
+  std::string text = FailureText(found.info, finding.result.property, failed.value, failed.verdict,
+                                 finding.replay);
+  if (!failed.failing_case.empty()) text += "shrunk from " + failed.failing_case + "\n";
+  return text;
+}
+
+// Two lines: where it failed, and the command.
+std::string BriefText(const Findings& found, const Finding& finding) {
+  const Counterexample& failed = *finding.result.counterexample;
+  return FailureLine(found.info, finding.result.property, failed.value, failed.verdict) +
+         "\nreplay: " + finding.replay + "\n";
 }
 
 // Why properties were not put to the subject: one line for each reason and scene.
@@ -113,23 +134,8 @@ class NotAsked {
 
 }  // namespace
 
-void FailureShown::AddName(const std::string& name) {
-  drawn_as = name;
-  if (!name.empty()) text += "shrunk from " + name + "\n";
-}
-
 bool FailsTheRun(const Findings& found, const Finding& finding) {
   return IsFailure(finding.result, found.fail_on) && !finding.is_known;
-}
-
-const props::Cause* CauseOf(const Findings& found, std::size_t finding) {
-  const auto place = std::ranges::find(found.explained, finding);
-  if (place == found.explained.end()) return nullptr;
-  const auto k = static_cast<std::size_t>(place - found.explained.begin());
-  for (const props::Cause& cause : found.explanation.causes) {
-    if (std::ranges::find(cause.properties, k) != cause.properties.end()) return &cause;
-  }
-  return nullptr;
 }
 
 int StatusOf(const Findings& found) {
@@ -206,13 +212,13 @@ std::string FindingsText(const Findings& found, bool verbose) {
     if (finding->is_known) {
       constexpr std::size_t kWord = 16;  // the width of a line's first word
       text += fmt::format("{:<{}}", "known", kWord) + finding->line.substr(kWord);
-      if (verbose) text += finding->failure->text;
+      if (verbose) text += FullText(found, *finding);
       continue;
     }
     text += finding->line;
-    if (!finding->failure) continue;
+    if (!finding->result.counterexample) continue;
     const bool in_full = verbose || shown++ == 0;
-    text += in_full ? finding->failure->text : finding->failure->brief;
+    text += in_full ? FullText(found, *finding) : BriefText(found, *finding);
     shortened += in_full ? 0 : 1;
   }
   if (all) text += not_asked.Lines(found.subject);

@@ -10,62 +10,41 @@
 #include <vector>
 
 #include "core/authority.h"
-#include "core/case.h"
-#include "core/profile.h"
 #include "core/result.h"
-#include "core/verdict.h"
+#include "core/subject_info.h"
 #include "props/cause/cause.h"
-#include "props/cause/evidence.h"
 #include "report/certificate.h"
 
 namespace rasterproof::tool {
 
-/// The case that a property failed on, and how it is shown.
-struct FailureShown {
-  Case value;
-  Verdict verdict;
-  std::string text;           ///< in full: scene, picture, edge values, the command
-  std::string brief;          ///< two lines: where it failed, and the command
-  std::string replay;         ///< the command that runs this case again
-  std::string drawn_as = {};  ///< name of the case before it was shrunk; "" if it has none
-  std::optional<props::FailedProperty> failed = {};  ///< for its cause
-
-  /// Says which drawn case it was shrunk from.
-  void AddName(const std::string& name);
-};
-
-/// One property on one subject: over generated cases, or on one given scene.
+/// One property on one subject: over generated cases, or on one given scene. All outputs read it.
 struct Finding {
-  PropertyResult result;
-  std::string place = {};  ///< the given scene; "" of generated cases
-  std::string line = {};   ///< its outcome; "" if it does not apply
-  std::optional<FailureShown> failure = {};
-  bool is_known = false;  ///< a known failure: it fails nothing
+  PropertyResult result;    ///< with the case that failed, what was seen of it and its old name
+  std::string place = {};   ///< the given scene; "" of generated cases
+  std::string line = {};    ///< its outcome; "" if it does not apply
+  std::string replay = {};  ///< the command that runs the case that failed again
+  std::optional<std::size_t> cause = {};  ///< its place in Findings::causes
+  bool is_known = false;                  ///< a known failure: it fails nothing
+  std::string cases = {};                 ///< those drawn, as lines of JSON, for --cases-json
 };
 
 /// What was found of one subject.
 struct Findings {
   std::string subject;
   FailOn fail_on = FailOn::kStated;
-  Profile profile = {};
+  SubjectInfo info = {};
   std::vector<Finding> all = {};
   std::string notes = {};  ///< of the contract and of known failures
   /// What it shows or takes and no property was asked about, of a run over the whole catalogue.
   std::vector<report::Evidence> unasked = {};
-  std::string cases = {};  ///< for --cases-json
   bool is_contract_untested = false;
   std::size_t not_asked = 0;  ///< properties left out after the first failure
   std::uint64_t expired = 0;  ///< entries of known failures: each of them fails the run
-  props::Explanation explanation = {};
-  std::vector<std::size_t> explained = {};  ///< the findings that it is about, by their places
-  std::string stated_name = {};             ///< SubjectInfo::stated_name
+  props::Causes causes = {};  ///< their properties are places in `all`
 };
 
 /// Whether the run fails by it.
 bool FailsTheRun(const Findings& found, const Finding& finding);
-
-/// What explains the finding of that place; nullptr: nothing was looked for.
-const props::Cause* CauseOf(const Findings& found, std::size_t finding);
 
 /// The exit status: one violation outweighs all, then what could not be judged. Nothing exercised
 /// is no pass.

@@ -10,6 +10,7 @@
 #include "tool/check/cmd_check.h"
 #include "tool/known_failures.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 
 namespace rasterproof::tool {
 

@@ -12,7 +12,7 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/output.h"
-#include "props/climb/climb.h"
+#include "lab/climb/climb.h"
 #include "report/text.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
@@ -20,6 +20,7 @@
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/shared_files.h"
 
 namespace rasterproof::tool {
@@ -42,16 +43,16 @@ int RunClimb(const ClimbOptions& options) {
   RequireHonestEnvironment();
   const auto subject = MakeSubject(options.subject);
   const props::Property& property = RequireProperty(options.property);
-  props::Climbed found;
+  lab::Climbed found;
   {
     Progress progress;
     progress.Stage("climb", options.evaluations);
-    found = props::ClimbRatio(*subject, property,
-                              {.seed = options.seed,
-                               .evaluations = options.evaluations,
-                               .from = CaseToSetOutFrom(options.from, *subject),
-                               .progress = [&](std::uint64_t done) { progress.Done(done); },
-                               .stop = Interrupted});
+    found = lab::ClimbRatio(*subject, property,
+                            {.seed = options.seed,
+                             .evaluations = options.evaluations,
+                             .from = CaseToSetOutFrom(options.from, *subject),
+                             .progress = [&](std::uint64_t done) { progress.Done(done); },
+                             .stop = Interrupted});
   }
   if (!found.best) {
     io::WriteStandardOutput(report::CleanText(

@@ -41,7 +41,9 @@ std::optional<report::FamilyPicture> PictureOf(const Worst& worst) {
   if (worst.subject == nullptr) return std::nullopt;
   const std::unique_ptr<Subject> subject = worst.subject->Make();
   try {
-    report::Explanation explanation = Explain(*subject, worst.value, {}, "");
+    Verdict verdict;
+    See(*subject, worst.value, verdict);
+    report::Explanation explanation = Explain(subject->Info(), worst.value, verdict, "");
     explanation.edge_values.clear();
     const bool is_real = !SameModel(worst.value.profile, subject->Info().profile);
     return report::FamilyPicture{

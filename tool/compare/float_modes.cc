@@ -10,7 +10,7 @@
 #include "fmt/format.h"
 #include "props/compare/float_modes.h"
 #include "tool/interrupt.h"
-#include "tool/outside.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -36,7 +36,7 @@ Cell CompareInMode(const SubjectFactory& factory, Subject& usual, const props::R
   if (!way.is_of_host) return cell_of(usual, mode);
   if (!IsOutside(factory.name())) return {.excused = 1, .why = "it runs in no host"};
   if (mode == FloatMode::kTrapping) return {.excused = 1, .why = "a host does not start in it"};
-  const std::unique_ptr<Subject> hosted = MakeInHost(factory.name(), {mode, way.where});
+  const std::unique_ptr<Subject> hosted = Kinds().in_host(factory.name(), {mode, way.where});
   hosted->JudgeAs(usual.Info());
   return cell_of(*hosted, FloatMode::kUsual);
 }

@@ -126,8 +126,8 @@ int RunAgainst(const CoverageOptions& options) {
   }
   // Facings that it does not tell are worked out by the profile that it is compared by.
   if (!options.profile.empty()) subject = MakeSubject(SubjectName(options), options.profile);
-  const CoverageCounts observed = ShownBy(*against, scene, Draw(*subject, scene));
-  const CoverageCounts expected = ShownBy(*subject, scene, Draw(*against, scene));
+  const CoverageCounts observed = ShownBy(against->Info(), scene, Draw(*subject, scene));
+  const CoverageCounts expected = ShownBy(subject->Info(), scene, Draw(*against, scene));
   if (!options.png.empty()) {
     io::WriteOutput(options.png,
                     io::EncodeFor(options.png, report::PaintDifference(observed, expected)));

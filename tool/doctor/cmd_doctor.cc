@@ -7,8 +7,8 @@
 #include "exact/environment.h"
 #include "fmt/format.h"
 #include "io/output.h"
+#include "lab/sweep/sweep_builds.h"
 #include "tool/exit_status.h"
-#include "tool/sweep/sweep_builds.h"
 
 namespace rasterproof::tool {
 
@@ -36,7 +36,7 @@ int RunDoctor() {
   }
   text +=
       fmt::format("three deciders agree     {}\n", environment.Honest() ? yes(agree) : "not asked");
-  text += ToolsText();
+  text += lab::ToolsText();
   const std::string complaint = environment.Complaint();
   if (!complaint.empty()) text += complaint + "\n";
   io::WriteStandardOutput(text);

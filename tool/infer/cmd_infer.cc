@@ -10,12 +10,12 @@
 #include "io/output.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
+#include "tool/case_choice.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/infer/infer_text.h"
 #include "tool/interrupt.h"
 #include "tool/resolve.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -13,7 +13,6 @@
 #include "tool/case_choice.h"
 #include "tool/interrupt.h"
 #include "tool/legal/cmd_legal.h"
-#include "tool/session.h"
 
 namespace rasterproof::tool {
 namespace {

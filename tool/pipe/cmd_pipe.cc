@@ -39,9 +39,10 @@
 #include "tool/failure.h"
 #include "tool/outside.h"
 #include "tool/progress.h"
-#include "tool/resolve.h"
+#include "tool/resolve_case.h"
 #include "tool/session.h"
 #include "tool/shell.h"
+#include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -185,23 +186,6 @@ class Answering final : public FarEnd {
  private:
   std::uint64_t id_ = 0;
   AnswerLines lines_;
-};
-
-// The counts of one drawing, whatever is asked: for the picture of a failure.
-class Shown final : public Subject {
- public:
-  Shown(const SubjectInfo& info, CoverageCounts counts) : info_(info), counts_(std::move(counts)) {
-    info_.coverage = CoverageKind::kFacingCounts;
-  }
-  const SubjectInfo& OwnInfo() const override { return info_; }
-  void Draw(const Scene& /*scene*/, const DrawOptions& /*options*/,
-            CoverageCounts& counts) override {
-    if (counts.size() == counts_.size()) counts += counts_;
-  }
-
- private:
-  SubjectInfo info_;
-  CoverageCounts counts_;
 };
 
 // The answers to all that is asked about a case: to every check, whatever comes of those before it,
@@ -384,10 +368,11 @@ int RunJudge(const PipeOptions& options) {
         choice.property = property.name;
         choice.profile = options.profile;
         choice.name = c.origin;
-        Shown shown(info, all.of_picture.draws.empty() ? CoverageCounts()
-                                                       : all.of_picture.draws.front()->counts);
-        failures = FailureText(shown, choice.property, c, verdict, CommandFor("replay", choice),
-                               /*colour=*/false) +
+        Verdict seen = verdict;
+        if (!seen.seen && !all.of_picture.draws.empty()) seen.seen = all.of_picture.draws.front();
+        SubjectInfo shown = info;
+        shown.coverage = CoverageKind::kFacingCounts;
+        failures = FailureText(shown, choice.property, c, seen, CommandFor("replay", choice)) +
                    ShrinkLine(options, c.origin);
       }
     }

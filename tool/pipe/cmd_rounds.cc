@@ -33,6 +33,7 @@
 #include "tool/failure.h"
 #include "tool/infer/cmd_infer.h"
 #include "tool/infer/infer_text.h"
+#include "tool/load_case.h"
 #include "tool/outside.h"
 #include "tool/pipe/cmd_pipe.h"
 #include "tool/pipe/rounds.h"
@@ -119,10 +120,8 @@ class ShrinkAhead {
     subject_.AskUpTo(kConfirmed);
     props::TryCase(subject_, property_, smallest);
     subject_.AskUpTo(1);
-    const Verdict verdict = props::RunCase(subject_, property_, smallest);
-    if (verdict.outcome == Outcome::kViolated) {
-      FailureText(subject_, std::string(property_.name), smallest, verdict, "", false);
-    }
+    Verdict verdict = props::RunCase(subject_, property_, smallest);
+    if (verdict.outcome == Outcome::kViolated) SeeIfItCan(subject_, smallest, verdict);
     subject_.Take(AnswersOfRounds::Unanswered::kEndsTheCall);
   }
 

@@ -2,34 +2,29 @@
 #include "tool/selftest/cmd_selftest.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/error.h"
 #include "core/suggestion.h"
 #include "fmt/format.h"
 #include "io/output.h"
+#include "lab/selftest/selftest.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/progress.h"
-#include "tool/resolve.h"
-#include "tool/selftest/selftest.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// A legal variant passes only by running to the end, three times over: a mutant seldom does.
-constexpr std::uint64_t kLegalSeeds = 3;
-constexpr std::uint64_t kLegalShare = 10;
 
 std::vector<subjects::MutantInfo> Chosen(const std::vector<std::string>& only) {
   std::vector<subjects::MutantInfo> chosen;
@@ -46,55 +41,31 @@ std::vector<subjects::MutantInfo> Chosen(const std::vector<std::string>& only) {
   return only.empty() ? subjects::Mutants() : chosen;
 }
 
-// One hunt, a subject's own.
-struct Task {
-  const subjects::MutantInfo& mutant;
-  std::uint64_t seed;
-  std::uint64_t cases;
-};
-
-std::vector<Task> TasksOf(const std::vector<subjects::MutantInfo>& chosen,
-                          const SelftestOptions& options, std::uint64_t legal_cases) {
-  std::vector<Task> tasks;
-  for (const subjects::MutantInfo& mutant : chosen) {
-    if (!mutant.legal) {
-      tasks.push_back({mutant, options.seed, options.cases});
-      continue;
-    }
-    for (std::uint64_t k = 0; k < kLegalSeeds; ++k) {
-      tasks.push_back({mutant, options.seed + k, legal_cases});
-    }
-  }
-  return tasks;
-}
-
-HuntResult HuntOne(const Task& task, Progress& progress, std::size_t worker) {
-  progress.Stage(fmt::format("{}, seed {}, cases", task.mutant.name, task.seed), 0, worker);
-  props::CampaignOptions options;
-  options.seed = task.seed;
-  options.cases = task.cases;
-  options.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
-  const std::unique_ptr<Subject> subject = MakeSubject(task.mutant.name);
-  HuntResult result{task.mutant, task.seed, HuntBug(*subject, options)};
-  progress.Stage("", 0, worker);
-  return result;
+// Runs the hunts on `jobs` threads and hands each result, with its number, to `found` there.
+void ShareHunts(const std::vector<lab::HuntTask>& tasks, int jobs,
+                const std::function<void(std::size_t, lab::HuntResult)>& found) {
+  Progress progress(static_cast<std::size_t>(jobs));
+  // A variant runs to its end, which takes longer than to find a bug.
+  const std::vector<std::size_t> order =
+      OrderOfWork(jobs, tasks.size(), [&](std::size_t k) { return tasks[k].mutant.legal; });
+  ShareWork(jobs, order, [&](std::size_t worker, std::size_t k) {
+    progress.Stage(fmt::format("{}, seed {}, cases", tasks[k].mutant.name, tasks[k].seed), 0,
+                   worker);
+    lab::HuntResult result =
+        lab::RunHunt(tasks[k], [&](std::uint64_t done) { progress.Done(done, worker); });
+    progress.Stage("", 0, worker);
+    found(k, std::move(result));
+  });
 }
 
 // Hunts each mutant and explains what was found. Nothing that it prints fails the run.
 int SelftestCauses(std::vector<subjects::MutantInfo> mutants, const SelftestOptions& options) {
   std::erase_if(mutants, [](const subjects::MutantInfo& mutant) { return mutant.legal; });
-  std::vector<CauseFound> causes(mutants.size());
-  {
-    Progress progress(static_cast<std::size_t>(options.jobs));
-    const std::vector<std::size_t> order =
-        OrderOfWork(options.jobs, mutants.size(), [](std::size_t) { return false; });
-    ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
-      const HuntResult hunted =
-          HuntOne({mutants[k], options.seed, options.cases}, progress, worker);
-      causes[k] = FindCauseOf(hunted, [&] { return MakeSubject(mutants[k].name); });
-    });
-  }
-  io::WriteStandardOutput(CausesTable(causes));
+  std::vector<lab::CauseFound> causes(mutants.size());
+  ShareHunts(
+      lab::HuntTasks(mutants, options.seed, options.cases), options.jobs,
+      [&](std::size_t k, const lab::HuntResult& hunted) { causes[k] = lab::FindCauseOf(hunted); });
+  io::WriteStandardOutput(lab::CausesTable(causes));
   return kExitHolds;
 }
 
@@ -103,24 +74,16 @@ int SelftestCauses(std::vector<subjects::MutantInfo> mutants, const SelftestOpti
 int RunSelftest(const SelftestOptions& options) {
   RequireHonestEnvironment();
   const std::vector<subjects::MutantInfo> chosen = Chosen(options.only);
-  const Clock::time_point start = Clock::now();
   if (options.causes) return SelftestCauses(chosen, options);
-  const std::uint64_t legal_cases = std::max<std::uint64_t>(1, options.cases / kLegalShare);
-  const std::vector<Task> tasks = TasksOf(chosen, options, legal_cases);
-  std::vector<HuntResult> results(tasks.size());
-  {
-    Progress progress(static_cast<std::size_t>(options.jobs));
-    // A variant runs to its end, which takes longer than to find a bug.
-    const std::vector<std::size_t> order = OrderOfWork(
-        options.jobs, tasks.size(), [&](std::size_t k) { return tasks[k].mutant.legal; });
-    ShareWork(options.jobs, order, [&](std::size_t worker, std::size_t k) {
-      results[k] = HuntOne(tasks[k], progress, worker);
-    });
-  }
+  const Clock::time_point start = Clock::now();
+  const std::vector<lab::HuntTask> tasks = lab::HuntTasks(chosen, options.seed, options.cases);
+  std::vector<lab::HuntResult> results(tasks.size());
+  ShareHunts(tasks, options.jobs,
+             [&](std::size_t k, lab::HuntResult result) { results[k] = std::move(result); });
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  io::WriteStandardOutput(SelftestText(results, options.cases, legal_cases, seconds));
-  if (!options.json.empty()) io::WriteFile(options.json, SelftestJson(results));
-  return std::ranges::all_of(results, &HuntResult::AsItShould) ? kExitHolds : kExitViolated;
+  io::WriteStandardOutput(lab::SelftestText(results, options.cases, seconds));
+  if (!options.json.empty()) io::WriteFile(options.json, lab::SelftestJson(results));
+  return std::ranges::all_of(results, &lab::HuntResult::AsItShould) ? kExitHolds : kExitViolated;
 }
 
 }  // namespace rasterproof::tool

@@ -32,7 +32,7 @@ namespace {
 
 using props::DomainSurvey;
 using props::Fault;
-using props::Finding;
+using props::FaultyCase;
 
 // What the drawings are compared with, and how near it comes.
 struct SurveyModel {
@@ -70,7 +70,7 @@ std::string ReplayedAs(Fault fault) {
   return fault == Fault::kBatch ? "OneCallDrawsLikeItsTriangles" : "";
 }
 
-std::string CaseJson(const Finding& finding, const std::string& subject) {
+std::string CaseJson(const FaultyCase& finding, const std::string& subject) {
   return io::CaseToJson({finding.minimal, subject, ReplayedAs(finding.fault)});
 }
 
@@ -97,7 +97,7 @@ void AddDomain(io::JsonWriter& json, const DomainSurvey& survey, bool near_limit
     json.Key(props::kFaultNames[k]).Integer(survey.faulty[k]);
   }
   json.EndObject().Key("findings").BeginArray();
-  for (const Finding& finding : survey.findings) {
+  for (const FaultyCase& finding : survey.findings) {
     json.BeginObject().Key("fault").Text(NameOf(finding.fault));
     json.Key("name").Text(finding.name);
     json.Key("end").Text(finding.end);
@@ -138,7 +138,7 @@ std::string Row(const DomainSurvey& survey) {
       survey.Faulty(Fault::kEnd), survey.cases == 0 ? 0.0 : rate);
 }
 
-std::string FindingLine(const Finding& finding) {
+std::string FindingLine(const FaultyCase& finding) {
   const Scene& scene = finding.minimal.scene;
   return fmt::format("{:<8} {}, shrunk to {} triangles in {}x{}{}{}\n", NameOf(finding.fault),
                      finding.name, scene.triangles.size(), scene.width, scene.height,
@@ -158,7 +158,7 @@ std::string ToText(const SubjectInfo& info, const SurveyModel& model,
   std::string findings;
   for (const DomainSurvey& survey : surveys) {
     text += Row(survey);
-    for (const Finding& finding : survey.findings) findings += FindingLine(finding);
+    for (const FaultyCase& finding : survey.findings) findings += FindingLine(finding);
   }
   return text + (findings.empty() ? "" : "\nfirst case of each kind:\n" + findings);
 }
@@ -167,7 +167,7 @@ void SaveFindings(const std::string& folder, const std::string& subject,
                   const std::vector<DomainSurvey>& surveys) {
   io::MakeFolder(folder);
   for (const DomainSurvey& survey : surveys) {
-    for (const Finding& finding : survey.findings) {
+    for (const FaultyCase& finding : survey.findings) {
       io::WriteFile(fmt::format("{}/{}-{}-{}.json", folder, FileNameOf(subject), survey.domain,
                                 NameOf(finding.fault)),
                     CaseJson(finding, subject));

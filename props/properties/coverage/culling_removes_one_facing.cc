@@ -8,11 +8,11 @@
 
 #include "core/coverage.h"
 #include "core/profile.h"
+#include "props/judging/by_facing.h"
 #include "props/judging/freedom/facing_freedom.h"
 #include "props/judging/freedom/free_choices.h"
 #include "props/judging/places.h"
 #include "props/judging/redraw.h"
-#include "props/judging/sides.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"
@@ -51,7 +51,7 @@ Checks AgainstItsFacings(const PlacedCase& c) {
 // by the one model that is legal.
 Checks AgainstTheOtherSide(const PlacedCase& c) {
   Checks asked;
-  Sides sides(c);
+  TrianglesByFacing sides(c);
   for (const Cull cull : {Cull::kFront, Cull::kBack}) {
     DrawOptions options = WholeTarget(c);
     Check check;

@@ -1,4 +1,4 @@
-#include "tool/sweep/sweep_blame.h"
+#include "lab/sweep/sweep_blame.h"
 
 #include <cxxabi.h>
 
@@ -19,7 +19,7 @@
 #include "fmt/format.h"
 #include "io/output.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 using Kind = Choice::Kind;
@@ -294,4 +294,4 @@ SweepBlame Blame(SweepRunner& runner, const Choices& choices,
   }
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

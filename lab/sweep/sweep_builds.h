@@ -1,6 +1,6 @@
 // What `sweep` builds: compilers, targets and flags, one axis at a time.
-#ifndef RASTERPROOF_TOOL_SWEEP_SWEEP_BUILDS_H_
-#define RASTERPROOF_TOOL_SWEEP_SWEEP_BUILDS_H_
+#ifndef RASTERPROOF_LAB_SWEEP_SWEEP_BUILDS_H_
+#define RASTERPROOF_LAB_SWEEP_SWEEP_BUILDS_H_
 
 #include <array>
 #include <cstdint>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// One choice by which a build differs from the base, which is gcc for x86-64 with kBaseFlags.
 struct Choice {
@@ -76,6 +76,6 @@ std::string ToolsText();
 /// Lists of choices to take the place of these, finer ones first: -ffast-math as its parts.
 std::vector<Choices> FinerChoices(const Choices& choices);
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_SWEEP_BUILDS_H_
+#endif  // RASTERPROOF_LAB_SWEEP_SWEEP_BUILDS_H_

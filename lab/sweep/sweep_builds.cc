@@ -1,4 +1,4 @@
-#include "tool/sweep/sweep_builds.h"
+#include "lab/sweep/sweep_builds.h"
 
 #include <unistd.h>
 
@@ -16,9 +16,9 @@
 
 #include "core/error.h"
 #include "fmt/format.h"
-#include "tool/sweep/i386.h"
+#include "lab/sweep/i386.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 using Kind = Choice::Kind;
@@ -363,4 +363,4 @@ std::vector<Choices> FinerChoices(const Choices& choices) {
   return {of_files, finer, with_unsafe, choices};
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

@@ -1,6 +1,6 @@
 // How far what builds draw is from the model of the profile that their sources state.
-#ifndef RASTERPROOF_TOOL_SWEEP_SWEEP_MODEL_H_
-#define RASTERPROOF_TOOL_SWEEP_SWEEP_MODEL_H_
+#ifndef RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_
+#define RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_
 
 #include <string>
 #include <vector>
@@ -8,10 +8,10 @@
 #include "core/case.h"
 #include "core/comparison.h"
 #include "core/subject_info.h"
+#include "lab/sweep/sweep_runner.h"
 #include "props/compare/compare.h"
-#include "tool/sweep/sweep_runner.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// What a profile lets one call with all of a case show, sample by sample (legal/allowed.h), ready
 /// for any drawing. It convicts less than `check`, which asks one model to explain all samples.
@@ -25,6 +25,6 @@ Cell DistanceFromModel(const SweepRunner& runner, const SweepOutcome& outcome,
 /// "0 of 51200 samples away from the model, in 0 of 200 cases", and what is not judged.
 std::string DistanceText(const Cell& distance);
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_SWEEP_MODEL_H_
+#endif  // RASTERPROOF_LAB_SWEEP_SWEEP_MODEL_H_

@@ -1,4 +1,4 @@
-#include "tool/sweep/sweep_delta.h"
+#include "lab/sweep/sweep_delta.h"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "core/error.h"
-#include "tool/sweep/sweep_blame.h"
-#include "tool/sweep/sweep_builds.h"
+#include "lab/sweep/sweep_blame.h"
+#include "lab/sweep/sweep_builds.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 using Numbers = std::vector<int>;
@@ -115,4 +115,4 @@ TEST(BuildFrom, ContractsWhereUnsafeMathematicsIsAllowed) {
 }
 
 }  // namespace
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

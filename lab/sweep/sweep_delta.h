@@ -1,7 +1,7 @@
 // Delta debugging of a list, as in Zeller and Hildebrandt, "Simplifying and Isolating
 // Failure-Inducing Input" (2002).
-#ifndef RASTERPROOF_TOOL_SWEEP_SWEEP_DELTA_H_
-#define RASTERPROOF_TOOL_SWEEP_SWEEP_DELTA_H_
+#ifndef RASTERPROOF_LAB_SWEEP_SWEEP_DELTA_H_
+#define RASTERPROOF_LAB_SWEEP_SWEEP_DELTA_H_
 
 #include <algorithm>
 #include <cstddef>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// A part of the items, in their order, that still passes the test and from which no single item
 /// can be left out.
@@ -46,6 +46,6 @@ std::vector<T> MinimalPart(std::vector<T> items,
   return items;
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_SWEEP_DELTA_H_
+#endif  // RASTERPROOF_LAB_SWEEP_SWEEP_DELTA_H_

@@ -1,8 +1,9 @@
 // Runs the properties on a mutant, a few cases at a time, until one of them finds the bug.
-#ifndef RASTERPROOF_TOOL_SELFTEST_SELFTEST_H_
-#define RASTERPROOF_TOOL_SELFTEST_SELFTEST_H_
+#ifndef RASTERPROOF_LAB_SELFTEST_SELFTEST_H_
+#define RASTERPROOF_LAB_SELFTEST_SELFTEST_H_
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,11 +11,10 @@
 
 #include "core/result.h"
 #include "core/subject.h"
-#include "props/cause/cause.h"
 #include "props/run/campaign.h"
 #include "subjects/mutants/mutants.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// What a hunt ended with.
 struct Hunt {
@@ -34,6 +34,16 @@ struct Hunt {
 /// that it does not apply is asked no more. Progress is in cases over all properties.
 Hunt HuntBug(Subject& subject, const props::CampaignOptions& options);
 
+/// A hunt to be run: each mutant has one, and each legal variant several, which pass only by
+/// running to the end.
+struct HuntTask {
+  subjects::MutantInfo mutant;
+  std::uint64_t seed = 0;
+  std::uint64_t cases = 0;  ///< most cases a property
+};
+std::vector<HuntTask> HuntTasks(const std::vector<subjects::MutantInfo>& mutants,
+                                std::uint64_t seed, std::uint64_t cases);
+
 /// A mutant or legal variant, and what a hunt found of it.
 struct HuntResult {
   subjects::MutantInfo mutant;
@@ -42,6 +52,9 @@ struct HuntResult {
 
   bool AsItShould() const { return hunt.violation.has_value() != mutant.legal; }
 };
+
+/// Makes the subject and hunts; `progress` is told of cases.
+HuntResult RunHunt(const HuntTask& task, const std::function<void(std::uint64_t)>& progress);
 
 /// What was found to explain a mutant's violation.
 struct CauseFound {
@@ -52,17 +65,17 @@ struct CauseFound {
   std::string property = {};     ///< the violated one
 };
 /// Explains the violation that a hunt ended with.
-CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make);
+CauseFound FindCauseOf(const HuntResult& result);
 /// A table row a mutant, then how many causes were named rightly, wrongly or not at all, in the
 /// half that suspects were tuned on (an even FNV-1a hash of the name) and in the other one.
 std::string CausesTable(std::span<const CauseFound> all);
 
-/// What a self-test found, as Markdown: a table row a mutant, then the figures.
+/// What a self-test of so many cases found, as Markdown: a table row a mutant, then the figures.
 std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t cases,
-                         std::uint64_t legal_cases, double seconds);
+                         double seconds);
 /// The same as JSON.
 std::string SelftestJson(const std::vector<HuntResult>& results);
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SELFTEST_SELFTEST_H_
+#endif  // RASTERPROOF_LAB_SELFTEST_SELFTEST_H_

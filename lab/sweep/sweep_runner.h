@@ -1,10 +1,11 @@
 // Makes programs of a user's sources and compares what they draw, for `sweep`.
-#ifndef RASTERPROOF_TOOL_SWEEP_SWEEP_RUNNER_H_
-#define RASTERPROOF_TOOL_SWEEP_SWEEP_RUNNER_H_
+#ifndef RASTERPROOF_LAB_SWEEP_SWEEP_RUNNER_H_
+#define RASTERPROOF_LAB_SWEEP_SWEEP_RUNNER_H_
 
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <optional>
@@ -17,9 +18,9 @@
 #include "core/comparison.h"
 #include "core/subject.h"
 #include "core/subject_info.h"
-#include "tool/sweep/sweep_builds.h"
+#include "lab/sweep/sweep_builds.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// A folder that goes with this object.
 class SweepFolder {
@@ -47,6 +48,9 @@ struct SweepSettings {
   std::vector<std::string> sources;
   std::string cflags;  ///< words of a shell
   double seconds = 30;
+  std::string driver;  ///< kit/plugin_driver.c
+  /// Reads what a program says of itself, or throws InputError at the place.
+  std::function<SubjectInfo(const std::string& text, const std::string& place)> describe;
 };
 
 /// A sample that a build draws otherwise than the base.
@@ -135,6 +139,6 @@ class SweepRunner {
   std::map<Choices, SweepOutcome> outcomes_;
 };
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_SWEEP_RUNNER_H_
+#endif  // RASTERPROOF_LAB_SWEEP_SWEEP_RUNNER_H_

@@ -1,5 +1,5 @@
 // The search for the largest error over its bound.
-#include "props/climb/climb.h"
+#include "lab/climb/climb.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@
 #include "subjects/builtin/builtin.h"
 #include "tests/props/faulty_subjects.h"
 
-namespace rasterproof::props {
+namespace rasterproof::lab {
 namespace {
 
 Climbed ClimbOn(std::string_view subject, std::string_view property, std::uint64_t seed = 1) {
   const auto made = subjects::MakeBuiltin(subject);
-  return ClimbRatio(*made, *FindProperty(property), {.seed = seed, .evaluations = 4000});
+  return ClimbRatio(*made, *props::FindProperty(property), {.seed = seed, .evaluations = 4000});
 }
 
 TEST(Climb, GoesBeyondTheCasesThatItSetOutFromAndStaysWithinTheBound) {
@@ -43,7 +43,7 @@ TEST(Climb, NeverEndsBelowTheCaseThatItIsGiven) {
   const Climbed far = ClimbOn("f32-direct", "EdgeErrorStaysWithinItsBound");
   ASSERT_TRUE(far.best.has_value());
   const auto subject = subjects::MakeBuiltin("f32-direct");
-  const Climbed found = ClimbRatio(*subject, *FindProperty("EdgeErrorStaysWithinItsBound"),
+  const Climbed found = ClimbRatio(*subject, *props::FindProperty("EdgeErrorStaysWithinItsBound"),
                                    {.seed = 2, .evaluations = 200, .from = far.best});
   EXPECT_LT(found.drawn_ratio, far.verdict.worst_ratio);
   EXPECT_GE(found.verdict.worst_ratio, far.verdict.worst_ratio);
@@ -63,15 +63,15 @@ TEST(Climb, FindsNothingWhereNothingIsCompared) {
 }
 
 TEST(Climb, EndsWithAViolation) {
-  auto wrong = testing::DropsLastColumn(testing::RealInfo());
+  auto wrong = props::testing::DropsLastColumn(props::testing::RealInfo());
   const Climbed found =
-      ClimbRatio(wrong, *FindProperty("CoverageEqualsTheModel"), {.evaluations = 500});
+      ClimbRatio(wrong, *props::FindProperty("CoverageEqualsTheModel"), {.evaluations = 500});
   ASSERT_TRUE(found.best.has_value());
   EXPECT_EQ(found.verdict.outcome, Outcome::kViolated);
   EXPECT_LT(found.evaluations, 500U);
-  EXPECT_EQ(RunCase(wrong, *FindProperty("CoverageEqualsTheModel"), *found.best).outcome,
+  EXPECT_EQ(RunCase(wrong, *props::FindProperty("CoverageEqualsTheModel"), *found.best).outcome,
             Outcome::kViolated);
 }
 
 }  // namespace
-}  // namespace rasterproof::props
+}  // namespace rasterproof::lab

@@ -1,6 +1,6 @@
 // Searches for cases in which a result is as wrong as it gets: the largest error over its bound.
-#ifndef RASTERPROOF_PROPS_CLIMB_CLIMB_H_
-#define RASTERPROOF_PROPS_CLIMB_CLIMB_H_
+#ifndef RASTERPROOF_LAB_CLIMB_CLIMB_H_
+#define RASTERPROOF_LAB_CLIMB_CLIMB_H_
 
 #include <cstdint>
 #include <functional>
@@ -11,7 +11,7 @@
 #include "core/verdict.h"
 #include "props/property.h"
 
-namespace rasterproof::props {
+namespace rasterproof::lab {
 
 struct ClimbOptions {
   std::uint64_t seed = 1;
@@ -41,8 +41,8 @@ struct Climbed {
 /// Domain:     a property with a bound: verdicts of others have no error, and nothing is found.
 /// Error:      InputError if the subject takes scenes of none of the property's domains;
 ///             JudgingFault.
-Climbed ClimbRatio(Subject& subject, const Property& property, const ClimbOptions& options);
+Climbed ClimbRatio(Subject& subject, const props::Property& property, const ClimbOptions& options);
 
-}  // namespace rasterproof::props
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_PROPS_CLIMB_CLIMB_H_
+#endif  // RASTERPROOF_LAB_CLIMB_CLIMB_H_

@@ -1,4 +1,4 @@
-#include "tool/sweep/i386.h"
+#include "lab/sweep/i386.h"
 
 #include <sys/mman.h>
 #include <sys/wait.h>
@@ -7,7 +7,7 @@
 #include <array>
 #include <cstddef>
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 // An ELF file with one segment, loaded at 0x08048000: exit(0) by the system call of i386.
@@ -49,4 +49,4 @@ bool RunsI386() {
   return runs;
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

@@ -1,4 +1,4 @@
-#include "tool/selftest/selftest.h"
+#include "lab/selftest/selftest.h"
 
 #include <algorithm>
 #include <chrono>
@@ -11,7 +11,7 @@
 #include "props/property.h"
 #include "props/run/campaign.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -19,6 +19,10 @@ using Clock = std::chrono::steady_clock;
 // A case or two of every domain first, and then four times as many in each round.
 constexpr std::uint64_t kFirstRound = 32;
 constexpr std::uint64_t kGrowth = 4;
+// A legal variant passes only by running to the end, three times over: a mutant seldom does.
+constexpr std::uint64_t kLegalSeeds = 3;
+
+std::uint64_t LegalCases(std::uint64_t cases) { return std::max<std::uint64_t>(1, cases / 10); }
 
 double Median(std::vector<double> values) {
   if (values.empty()) return 0;
@@ -146,8 +150,30 @@ Hunt HuntBug(Subject& subject, const props::CampaignOptions& options) {
   return hunt;
 }
 
+std::vector<HuntTask> HuntTasks(const std::vector<subjects::MutantInfo>& mutants,
+                                std::uint64_t seed, std::uint64_t cases) {
+  std::vector<HuntTask> tasks;
+  for (const subjects::MutantInfo& mutant : mutants) {
+    if (!mutant.legal) {
+      tasks.push_back({mutant, seed, cases});
+      continue;
+    }
+    for (std::uint64_t k = 0; k < kLegalSeeds; ++k)
+      tasks.push_back({mutant, seed + k, LegalCases(cases)});
+  }
+  return tasks;
+}
+
+HuntResult RunHunt(const HuntTask& task, const std::function<void(std::uint64_t)>& progress) {
+  props::CampaignOptions options;
+  options.seed = task.seed;
+  options.cases = task.cases;
+  options.progress = progress;
+  return {task.mutant, task.seed, HuntBug(*subjects::MakeMutant(task.mutant.name), options)};
+}
+
 std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t cases,
-                         std::uint64_t legal_cases, double seconds) {
+                         double seconds) {
   std::string text =
       "| mutant | a sound rasterizer, but | killed by | after cases | shrunken triangles, target | "
       "seen there |\n| --- | --- | --- | --- | --- | --- |\n";
@@ -158,7 +184,7 @@ std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t c
   using Info = subjects::MutantInfo;
   text += MutantFigures(results, "mutants", [](const Info& info) { return !info.is_late; });
   text += MutantFigures(results, "late mutants", [](const Info& info) { return info.is_late; });
-  return text + LegalFigures(results, legal_cases);
+  return text + LegalFigures(results, LegalCases(cases));
 }
 
 std::string SelftestJson(const std::vector<HuntResult>& results) {
@@ -185,4 +211,4 @@ std::string SelftestJson(const std::vector<HuntResult>& results) {
   return json.EndArray().EndObject().Finish();
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

@@ -1,4 +1,4 @@
-#include "tool/sweep/sweep_model.h"
+#include "lab/sweep/sweep_model.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,9 +15,8 @@
 #include "props/placed_case.h"
 #include "props/property.h"
 #include "props/run/description.h"
-#include "tool/resolve.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 const char* PropertyFor(const props::PlacedCase& c) {
@@ -27,7 +26,7 @@ const char* PropertyFor(const props::PlacedCase& c) {
 
 // Of the gate of the property by which `check` judges such a case.
 std::string WhyNotJudged(const SubjectInfo& info, const Case& given, const props::PlacedCase& c) {
-  const props::Gate& gate = RequireProperty(PropertyFor(c)).gate;
+  const props::Gate& gate = props::FindProperty(PropertyFor(c))->gate;
   props::Description subject{.info = info};
   if (TakesToWindow(given.profile, given.scene)) subject = props::AsJudged(subject);
   if (const auto verdict = props::FlatnessNotDecided(c, false)) return verdict->message;
@@ -95,4 +94,4 @@ std::string DistanceText(const Cell& distance) {
   return text;
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

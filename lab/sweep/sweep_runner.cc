@@ -1,4 +1,4 @@
-#include "tool/sweep/sweep_runner.h"
+#include "lab/sweep/sweep_runner.h"
 
 #include <stdlib.h>
 
@@ -22,11 +22,8 @@
 #include "props/judging/redraw.h"
 #include "props/run/campaign.h"
 #include "subjects/process/process.h"
-#include "tool/description.h"
-#include "tool/resolve.h"
-#include "tool/shared_files.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 using Kind = Choice::Kind;
@@ -111,12 +108,7 @@ SweepRunner::SweepRunner(SweepSettings settings) : settings_(std::move(settings)
     }
     has_cxx_ = has_cxx_ || IsCxx(source);
   }
-  const std::optional<std::string> driver = FindShared("kit/plugin_driver.c");
-  if (!driver) {
-    throw InputError("kit/plugin_driver.c", "it does not lie beside the command",
-                     "run the command where it was built");
-  }
-  driver_ = fs::absolute(*driver).string();
+  driver_ = fs::absolute(settings_.driver).string();
 }
 
 void SweepRunner::Run(const std::vector<std::string>& command, const std::string& shell_words) {
@@ -216,13 +208,14 @@ std::vector<DrawOutcome> SweepRunner::Draw(const std::string& program, const Cho
 void SweepRunner::DrawBase(std::uint64_t seed, std::uint64_t count, const std::string& profile) {
   const std::string program = Build({});
   const std::string text = subjects::OutputOf({program, "--describe"}, settings_.sources.front());
-  info_ = ParseDescription(text, settings_.sources.front()).info;
+  info_ = settings_.describe(text, settings_.sources.front());
   if (!profile.empty()) info_.profile = io::ReadProfile(profile);
   const char* const property =
       info_.takes_window ? "CoverageEqualsTheModel" : "ClipSpaceCoverageEqualsTheModel";
   std::vector<std::size_t> numbers;
   for (std::uint64_t k = 0; k < count; ++k) {
-    const Case& c = cases_.emplace_back(props::DrawCase(info_, RequireProperty(property), seed, k));
+    const Case& c =
+        cases_.emplace_back(props::DrawCase(info_, *props::FindProperty(property), seed, k));
     jobs_.push_back(props::WholeCallOf(c.scene, c.profile, {}).job);
     numbers.push_back(numbers.size());
   }
@@ -305,4 +298,4 @@ SweepOutcome SweepRunner::OutcomeOf(const Choices& choices) {
   return outcomes_.emplace(std::move(key), std::move(outcome)).first->second;
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

@@ -1,13 +1,13 @@
 // Whether this machine runs programs of 32 bits.
-#ifndef RASTERPROOF_TOOL_SWEEP_I386_H_
-#define RASTERPROOF_TOOL_SWEEP_I386_H_
+#ifndef RASTERPROOF_LAB_SWEEP_I386_H_
+#define RASTERPROOF_LAB_SWEEP_I386_H_
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 /// Runs the smallest program for i386, once, and returns whether it ended as it should: a kernel
 /// may be built without them, or a container not allow them.
 bool RunsI386();
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_I386_H_
+#endif  // RASTERPROOF_LAB_SWEEP_I386_H_

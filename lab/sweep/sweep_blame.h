@@ -1,16 +1,16 @@
 // Which file and function of two builds makes them draw differently.
-#ifndef RASTERPROOF_TOOL_SWEEP_SWEEP_BLAME_H_
-#define RASTERPROOF_TOOL_SWEEP_SWEEP_BLAME_H_
+#ifndef RASTERPROOF_LAB_SWEEP_SWEEP_BLAME_H_
+#define RASTERPROOF_LAB_SWEEP_SWEEP_BLAME_H_
 
 #include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tool/sweep/sweep_builds.h"
-#include "tool/sweep/sweep_runner.h"
+#include "lab/sweep/sweep_builds.h"
+#include "lab/sweep/sweep_runner.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 
 struct SweepBlame {
   std::string file;      ///< exchanging its object alone changes a sample; empty: none is known
@@ -36,6 +36,6 @@ struct ExchangeableAssembly {
 /// Local data becomes global, and with `with_local_functions` so do local functions.
 ExchangeableAssembly MakeExchangeable(std::string_view assembly, bool with_local_functions);
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab
 
-#endif  // RASTERPROOF_TOOL_SWEEP_SWEEP_BLAME_H_
+#endif  // RASTERPROOF_LAB_SWEEP_SWEEP_BLAME_H_

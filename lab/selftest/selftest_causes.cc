@@ -12,12 +12,12 @@
 #include "core/hash_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
+#include "lab/selftest/selftest.h"
 #include "props/cause/cause.h"
+#include "props/cause/evidence.h"
 #include "subjects/mutants/mutants.h"
-#include "tool/check/causes.h"
-#include "tool/selftest/selftest.h"
 
-namespace rasterproof::tool {
+namespace rasterproof::lab {
 namespace {
 
 constexpr double kLongestSearch = 800;  // seconds: what is found may not depend on the clock
@@ -62,15 +62,16 @@ std::string FiguresLine(std::string_view half, const Figures& f) {
 
 }  // namespace
 
-CauseFound FindCauseOf(const HuntResult& result, const props::MakesSubject& make) {
+CauseFound FindCauseOf(const HuntResult& result) {
   CauseFound found{.mutant = result.mutant};
   if (!result.hunt.violation) return found;
-  const auto failed = FailedBy(*result.hunt.violation, make()->Info());
+  const auto make = [&] { return subjects::MakeMutant(result.mutant.name); };
+  const auto failed = props::FailedBy(*result.hunt.violation, make()->Info());
   if (!failed) return found;
-  const props::Explanation explanation = props::Explain(make, {&*failed, 1}, kLongestSearch);
+  const props::Causes causes = props::FindCauses(make, {&*failed, 1}, kLongestSearch);
   found.property = failed->property->name;
-  if (explanation.causes.empty()) return found;
-  const props::Cause& cause = explanation.causes.front();
+  if (causes.all.empty()) return found;
+  const props::Cause& cause = causes.all.front();
   found.name = cause.name;
   found.is_circumstance = cause.kind == props::CauseKind::kCircumstance;
   found.what = fmt::format("{}", fmt::join(cause.what, " / "));
@@ -101,4 +102,4 @@ std::string CausesTable(std::span<const CauseFound> all) {
          FiguresLine("other half", halves[1]);
 }
 
-}  // namespace rasterproof::tool
+}  // namespace rasterproof::lab

@@ -1,4 +1,4 @@
-#include "props/climb/climb.h"
+#include "lab/climb/climb.h"
 
 #include <algorithm>
 #include <array>
@@ -15,7 +15,7 @@
 #include "props/domains/bit_source.h"
 #include "props/run/campaign.h"
 
-namespace rasterproof::props {
+namespace rasterproof::lab {
 namespace {
 
 constexpr std::size_t kKept = 16;
@@ -36,7 +36,7 @@ double Moved(double x, std::int64_t ulps, Precision precision) {
 }
 
 // The coordinate with other bits, as many steps away as a power of two, up to half of the mantissa.
-double Changed(double x, const Scene& scene, bool along_y, BitSource& bits) {
+double Changed(double x, const Scene& scene, bool along_y, props::BitSource& bits) {
   const bool is_float32 = scene.precision == Precision::kFloat32;
   switch (bits.Int(0, 5)) {
     case 0: {
@@ -55,7 +55,7 @@ double Changed(double x, const Scene& scene, bool along_y, BitSource& bits) {
   }
 }
 
-Case Mutated(const Case& parent, BitSource& bits) {
+Case Mutated(const Case& parent, props::BitSource& bits) {
   Case child = parent;
   Scene& scene = child.scene;
   const std::int64_t changes = bits.Int(1, 3);
@@ -75,7 +75,7 @@ Case Mutated(const Case& parent, BitSource& bits) {
 
 class Climb {
  public:
-  Climb(Subject& subject, const Property& property, const ClimbOptions& options)
+  Climb(Subject& subject, const props::Property& property, const ClimbOptions& options)
       : subject_(subject),
         property_(property),
         options_(options),
@@ -83,7 +83,7 @@ class Climb {
 
   Climbed Run() {
     for (std::uint64_t k = 0; k < options_.evaluations / kDrawnShare + 1 && !IsOver(); ++k) {
-      Try(DrawCase(subject_.Info(), property_, options_.seed, k));
+      Try(props::DrawCase(subject_.Info(), property_, options_.seed, k));
     }
     if (!kept_.empty()) found_.drawn_ratio = Best().ratio;
     if (options_.from && !IsOver()) Try(*options_.from);
@@ -99,7 +99,7 @@ class Climb {
     }
     if (!is_violated_ && !kept_.empty()) found_.best = Best().value;
     if (!is_violated_ && found_.best) {
-      found_.verdict = RunCase(subject_, property_, *found_.best);
+      found_.verdict = props::RunCase(subject_, property_, *found_.best);
     }
     return std::move(found_);
   }
@@ -113,7 +113,7 @@ class Climb {
   const Kept& Best() const { return *std::ranges::max_element(kept_, {}, &Kept::ratio); }
 
   void Try(const Case& c) {
-    const Verdict verdict = RunCase(subject_, property_, c);
+    const Verdict verdict = props::RunCase(subject_, property_, c);
     if (++found_.evaluations % kPerProgress == 0 && options_.progress) {
       options_.progress(found_.evaluations);
     }
@@ -133,9 +133,9 @@ class Climb {
   }
 
   Subject& subject_;
-  const Property& property_;
+  const props::Property& property_;
   const ClimbOptions& options_;
-  PhiloxSource bits_;
+  props::PhiloxSource bits_;
   std::vector<Kept> kept_;
   bool is_violated_ = false;
   Climbed found_;
@@ -143,8 +143,8 @@ class Climb {
 
 }  // namespace
 
-Climbed ClimbRatio(Subject& subject, const Property& property, const ClimbOptions& options) {
+Climbed ClimbRatio(Subject& subject, const props::Property& property, const ClimbOptions& options) {
   return Climb(subject, property, options).Run();
 }
 
-}  // namespace rasterproof::props
+}  // namespace rasterproof::lab

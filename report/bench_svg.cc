@@ -99,15 +99,15 @@ struct Lane {
 };
 constexpr std::string_view kLost = "lost";
 constexpr std::string_view kOnTheEdge = "on the edge";
-constexpr std::string_view kNone = "0 of N";
+constexpr std::string_view kNoneOfN = "0 of N";
 constexpr std::string_view kProved = "proved 0";
 
 std::string_view LaneOf(const RowError& error) {
   switch (error.lane) {
     case ErrorLane::kProved:
       return kProved;
-    case ErrorLane::kNone:
-      return kNone;
+    case ErrorLane::kNoneOfN:
+      return kNoneOfN;
     case ErrorLane::kLost:
       return kLost;
     case ErrorLane::kRate:
@@ -189,7 +189,7 @@ Panel::Panel(const BenchResult& result, std::uint32_t family, const Look& look)
 }
 
 std::vector<Lane> Panel::Lanes(ErrorKind kind) const {
-  std::vector<Lane> lanes{{kNone, look_.bottom() - 2 * look_.lane},
+  std::vector<Lane> lanes{{kNoneOfN, look_.bottom() - 2 * look_.lane},
                           {kProved, look_.bottom() - look_.lane}};
   if (kind == ErrorKind::kDisplacement) {
     lanes.insert(lanes.begin(), {{kLost, kTop}, {kOnTheEdge, look_.bottom() - 3 * look_.lane}});

@@ -370,7 +370,7 @@ namespace {
 // A scene that the oracle does not decide has no picture.
 std::string PictureText(const SubjectInfo& subject, const Case& c, const Verdict& verdict,
                         const std::string& replay) {
-  const std::string no_picture = replay.empty() ? "" : "replay: " + replay + "\n";
+  std::string no_picture = replay.empty() ? "" : "replay: " + replay + "\n";
   if (!HasPlace(verdict)) return no_picture;
   try {
     if (!HoldsWhatWasSeen(verdict, c)) return no_picture;

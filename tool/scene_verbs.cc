@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -135,10 +136,12 @@ void AddCoverage(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunCoverage(options); }; });
 }
 
-void AddLegal(CLI::App& app, Run& run) {
-  static LegalOptions options;
-  CLI::App* verb = app.add_subcommand(
-      "legal", "Say whether one legal model explains a drawing, or what is open");
+void ExcludeAll(CLI::Option* option, std::initializer_list<CLI::Option*> others) {
+  for (CLI::Option* other : others) option->excludes(other);
+}
+
+// What is judged, and by which profile.
+void AddDrawing(CLI::App* verb, LegalOptions& options) {
   AddScene(verb, options.scene);
   verb->get_option("scene")->required(false);  // not with --list
   verb->add_option(
@@ -148,6 +151,26 @@ void AddLegal(CLI::App& app, Run& run) {
   AddSubject(verb, options.subject, "Subject that draws the scene");
   verb->add_option("--profile", options.profile,
                    "Preset or profile file (default: the subject's own)");
+}
+
+void AddPictureView(CLI::App* verb, LegalOptions& options, CLI::Option* png) {
+  verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
+      ->delimiter(',')
+      ->expected(4)
+      ->needs(png);
+  verb->add_option("--scale", options.scale,
+                   "Side of a pixel in the picture; from 4 on with the triangles' edges, from 8 on "
+                   "with pixel numbers and a legend")
+      ->check(CLI::Range(1, 128))
+      ->capture_default_str()
+      ->needs(png);
+}
+
+void AddLegal(CLI::App& app, Run& run) {
+  static LegalOptions options;
+  CLI::App* verb = app.add_subcommand(
+      "legal", "Say whether one legal model explains a drawing, or what is open");
+  AddDrawing(verb, options);
   CLI::Option* background = verb->add_option("--background", options.background,
                                              "Colour of a picture where nothing is drawn, RRGGBB")
                                 ->capture_default_str();
@@ -176,29 +199,16 @@ void AddLegal(CLI::App& app, Run& run) {
                                        "this verb judges again");
   CLI::Option* decided =
       verb->add_flag("--decided", options.decided,
-                     "Judge no drawing: how often the legal models of --profile cover each sample")
-          ->excludes(background)
-          ->excludes(counts)
-          ->excludes(ids)
-          ->excludes(facings)
-          ->excludes(save);
+                     "Judge no drawing: how often the legal models of --profile cover each sample");
+  ExcludeAll(decided, {background, counts, ids, facings, save});
   CLI::Option* resolved =
       verb->add_flag("--resolved", options.resolved,
                      "The image is what a multisampled target was resolved to: of each pixel how "
-                     "many of its samples are covered, as rows of numbers or as grey, white: all")
-          ->excludes(background)
-          ->excludes(counts)
-          ->excludes(ids)
-          ->excludes(facings)
-          ->excludes(save)
-          ->excludes(decided);
-  CLI::Option* list = verb->add_option("--list", options.list,
-                                       "File of drawings to judge, each its own (docs/commands.md)")
-                          ->excludes(facings)
-                          ->excludes(json)
-                          ->excludes(save)
-                          ->excludes(decided)
-                          ->excludes(resolved);
+                     "many of its samples are covered, as rows of numbers or as grey, white: all");
+  ExcludeAll(resolved, {background, counts, ids, facings, save, decided});
+  CLI::Option* list = verb->add_option(
+      "--list", options.list, "File of drawings to judge, each its own (docs/commands.md)");
+  ExcludeAll(list, {facings, json, save, decided, resolved});
   verb->add_option("--junit", options.junit,
                    "Verdicts on the list as JUnit XML (-: standard output)")
       ->needs(list);
@@ -212,16 +222,7 @@ void AddLegal(CLI::App& app, Run& run) {
   verb->add_option("--assume-transform-error", options.transform_error,
                    "Judge clip space: x and y may be off by N x 2^-24 of their size, then snapped")
       ->check(CLI::Range(0.0, 0x1p20));
-  verb->add_option("--view", options.view, "The picture's part: COLUMN,ROW,WIDTH,HEIGHT")
-      ->delimiter(',')
-      ->expected(4)
-      ->needs(png);
-  verb->add_option("--scale", options.scale,
-                   "Side of a pixel in the picture; from 4 on with the triangles' edges, from 8 on "
-                   "with pixel numbers and a legend")
-      ->check(CLI::Range(1, 128))
-      ->capture_default_str()
-      ->needs(png);
+  AddPictureView(verb, options, png);
   verb->callback([&run] { run = [] { return RunLegal(options); }; });
 }
 

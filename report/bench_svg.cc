@@ -106,7 +106,7 @@ std::string_view LaneOf(const RowError& error) {
   switch (error.lane) {
     case ErrorLane::kProved:
       return kProved;
-    case ErrorLane::kNoneOfN:
+    case ErrorLane::kNone:
       return kNoneOfN;
     case ErrorLane::kLost:
       return kLost;

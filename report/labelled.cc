@@ -13,16 +13,16 @@ namespace rasterproof::report {
 namespace {
 
 constexpr int kLetterGap = 4;
-constexpr int kAdvance = kLetterWidth + 1;
+constexpr int kLetterAdvance = kLetterWidth + 1;
 constexpr int kLine = kLetterHeight + kLetterGap;
 
-int WidthOf(std::string_view text) { return static_cast<int>(text.size()) * kAdvance; }
+int WidthOf(std::string_view text) { return static_cast<int>(text.size()) * kLetterAdvance; }
 
 void Write(io::Image& image, std::string_view text, int left, int top) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     for (int row = 0; row < kLetterHeight; ++row) {
       for (int column = 0; column < kLetterWidth; ++column) {
-        const int x = left + static_cast<int>(k) * kAdvance + column;
+        const int x = left + static_cast<int>(k) * kLetterAdvance + column;
         const int y = top + row;
         if (IsInk(text[k], column, row) && x < image.width && y < image.height)
           image.At(x, y) = kInk;
@@ -60,7 +60,7 @@ io::Image Labelled(const io::Image& pixels, PixelRect view, int scale,
   }
   const int widest = WidthOf(std::to_string(view.x1 - 1));
   for (int x = view.x0; x < view.x1; ++x) {
-    if (x % StepFor(widest + kAdvance, scale) != 0) continue;
+    if (x % StepFor(widest + kLetterAdvance, scale) != 0) continue;
     const std::string number = std::to_string(x);
     const int middle = of_rows + (x - view.x0) * scale + scale / 2;
     Write(image, number, std::max(0, middle - WidthOf(number) / 2), kLetterGap / 2);

@@ -263,8 +263,10 @@ void SeeIfItCan(Subject& subject, const Case& c, Verdict& verdict) {
   if (!HasPlace(verdict)) return;
   try {
     See(subject, c, verdict);
-  } catch (const InputError&) {   // it takes no such scene any more
-  } catch (const SubjectStop&) {  // or takes too long over it now
+  } catch (const InputError&) {
+    return;  // it takes no such scene any more
+  } catch (const SubjectStop&) {
+    return;  // or takes too long over it now
   }
 }
 

@@ -41,8 +41,8 @@ constexpr auto kThemes = std::to_array<Theme>({
     {"clip space",
      "The part in front of the eye is covered, and no vertex with w <= 0 is projected."},
 });
-constexpr Theme kWorlds{"small worlds",
-                        "Every case of the world is covered as exact geometry says."};
+constexpr Theme kSmallWorlds{"small worlds",
+                             "Every case of the world is covered as exact geometry says."};
 
 // Most worlds have small scenes: one is drawn if it has at most this many times the cases of a
 // domain.
@@ -90,7 +90,7 @@ std::vector<Family> Families() {
     return std::pair(family.domain->theme, family.domain->in_theme);
   });
   for (const World& world : Worlds()) {
-    families.push_back({world.name, world.summary, &kWorlds, nullptr, &world});
+    families.push_back({world.name, world.summary, &kSmallWorlds, nullptr, &world});
   }
   return families;
 }

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -116,11 +117,13 @@ void PrintAll() {
       for (const kernels::Sink sink :
            {kernels::Sink::kCount8, kernels::Sink::kMask, kernels::Sink::kDepth}) {
         const Costs c = Measure(family.KernelScene(), target, sink);
-        const double each = 1e9 / static_cast<double>(family.indices.size() / 3);
+        const std::size_t triangles = family.indices.size() / 3;
+        const double each = 1e9 / static_cast<double>(triangles);
         std::printf("%-8s %-7s %-7s %6.1f  %7.1f  %11.1f  %12.1f  %8.1f  %.2f\n",
-                    family.name.c_str(), kernels::NameOf(target).data(),
-                    kernels::NameOf(sink).data(), c.least[0] * each, c.least[1] * each,
-                    c.least[2] * each, c.least[3] * each, c.least[4] * each, c.ratio);
+                    family.name.c_str(), std::string(kernels::NameOf(target)).c_str(),
+                    std::string(kernels::NameOf(sink)).c_str(), c.least[0] * each,
+                    c.least[1] * each, c.least[2] * each, c.least[3] * each, c.least[4] * each,
+                    c.ratio);
       }
     }
   }

@@ -328,7 +328,8 @@ std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> tri
                                 static_cast<std::size_t>(target.y1));
   for (const std::size_t triangle : triangles) {
     DrawAlone(triangle, target, box);
-    covered.push_back(box[static_cast<std::size_t>(at.y * target.x1 + at.x)]);
+    covered.push_back(box[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(target.x1) +
+                          static_cast<std::size_t>(at.x)]);
   }
   return covered;
 }

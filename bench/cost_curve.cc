@@ -130,8 +130,8 @@ void RunCostCurves(std::span<const std::unique_ptr<Contender>> contenders,
   AddCosts(contenders, options, kByPixels, {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}, &ScatteredOfPixels,
            result);
   std::vector<double> counts;
-  for (double count = 100; count <= static_cast<double>(options.most_triangles); count *= 10) {
-    counts.push_back(count);
+  for (std::uint64_t count = 100; count <= options.most_triangles; count *= 10) {
+    counts.push_back(static_cast<double>(count));
   }
   AddCosts(
       contenders, options, kByTriangles, counts,

@@ -95,7 +95,7 @@ Fingerprint FingerprintPlaces::Every(int stride, Contender& contender) {
   std::vector<std::size_t> triangles;
   for (int j = 0; j < kSide; j += stride) {
     for (int i = 0; i < kSide; i += stride) {
-      const auto n = static_cast<std::size_t>(j * kSide + i);
+      const auto n = static_cast<std::size_t>(j) * kSide + static_cast<std::size_t>(i);
       print.exact.push_back(exact[n]);
       triangles.push_back(2 * n);
       triangles.push_back(2 * n + 1);

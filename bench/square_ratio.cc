@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <random>
+#include <string>
 #include <string_view>
 
 #include "core/profile.h"
@@ -85,7 +86,7 @@ int Main() {
       points.freedom = {};
       for (const bool must : {true, false}) {
         if (!(must ? squares.squares->must : squares.squares->may)) continue;
-        std::printf("  %-21s %-4s %.2f\n", preset.name.data(), must ? "must" : "may",
+        std::printf("  %-21s %-4s %.2f\n", std::string(preset.name).c_str(), must ? "must" : "may",
                     Ratio(scene, squares, points, must));
       }
     }

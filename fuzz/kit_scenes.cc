@@ -115,7 +115,8 @@ EdgeSample DrawEdgeSample(std::string_view profile, std::uint64_t number) {
       const Point2 a = WindowPoint(v[k]);
       const Point2 b = WindowPoint(v[(k + 1) % 3]);
       for (int pixel = 0; pixel < scene.width * scene.height; ++pixel) {
-        const Point2 p{pixel % scene.width + 0.5, pixel / scene.width + 0.5};
+        const int row = pixel / scene.width;
+        const Point2 p{pixel % scene.width + 0.5, row + 0.5};
         const double off = a == b ? INFINITY : OffBy(a, b, p);
         if (off >= least) continue;
         least = off;

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -48,7 +49,7 @@ bool Takes(std::string_view word, std::string_view option, std::uint64_t& value)
   const char* const end = word.data() + word.size();
   const auto [stopped, error] = std::from_chars(word.data() + option.size(), end, value);
   if (error != std::errc() || stopped != end) {
-    std::fprintf(stderr, "%s: no number\n", word.data());
+    std::fprintf(stderr, "%s: no number\n", std::string(word).c_str());
     std::exit(2);
   }
   return true;

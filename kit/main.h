@@ -37,12 +37,12 @@ int Main(int argc, char** argv, const std::string& name,
 }  // namespace rasterproof::kit
 
 /// Defines main. `Type` models rasterproof::Rasterizer.
-#define RASTERPROOF_MAIN(Type)                                            \
-  int main(int argc, char** argv) {                                       \
-    return rasterproof::kit::Main(argc, argv, #Type, [] {                 \
-      return std::unique_ptr<rasterproof::Subject>(                       \
-          std::make_unique<rasterproof::RasterizerSubject<Type>>(#Type)); \
-    });                                                                   \
+#define RASTERPROOF_MAIN(Type)                              \
+  int main(int argc, char** argv) {                         \
+    return rasterproof::kit::Main(argc, argv, #Type, [] {   \
+      return std::unique_ptr<rasterproof::Subject>(         \
+          new rasterproof::RasterizerSubject<Type>(#Type)); \
+    });                                                     \
   }
 
 #endif  // RASTERPROOF_KIT_MAIN_H_

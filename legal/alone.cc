@@ -45,7 +45,7 @@ TriangleDecided DecideOne(const exact::PlacedScene& placed) {
   const Allowed allowed(placed, {CoverageKind::kMask});
   decided.is_anything = allowed.Unstated() != 0;
   if (decided.is_anything) return decided;
-  decided.facing = placed.facings.front();
+  decided.facing = int{placed.facings.front()};
   const std::size_t samples = allowed.Canonical().size();
   for (std::size_t s = 0; s < samples; ++s) {
     if (allowed.Least(s) != 0) {

@@ -192,7 +192,7 @@ class TriangleOverPlaces {
 
   Status StatusOf(std::size_t choice, const std::array<int, 3>& signs) const {
     if (dropped_[choice]) return Status::kOut;
-    const int facing = facings_[choice];
+    const int facing{facings_[choice]};
     if (facing == 0) return Status::kOut;
     if (std::ranges::any_of(signs, [&](int s) { return s == -facing; })) return Status::kOut;
     const bool on_edge = std::ranges::any_of(signs, [](int s) { return s == 0; });
@@ -322,24 +322,53 @@ int FamilyView::SideOf(std::size_t triangle) const {
   return TriangleOverPlaces(places, profile_, std::nullopt).facing();
 }
 
+namespace {
+
+// Whether a triangle with a corner that has no place may cover any sample.
+bool CoversAnything(const Profile& profile, const std::array<Vertex, 3>& given) {
+  const auto is_nan = [](const Vertex& v) {
+    return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w);
+  };
+  const auto is_nan_z = [](const Vertex& v) { return std::isnan(v.z); };
+  if (std::ranges::any_of(given, is_nan_z) && profile.nan_z == NanZ::kNothing) return false;
+  if (std::ranges::any_of(given, is_nan)) return profile.nan_vertex == NanVertex::kUnspecified;
+  if (!std::ranges::all_of(given, IsFinite)) {
+    return profile.infinite_vertex == InfiniteVertex::kUnspecified;
+  }
+  return true;  // nothing is stated of its NaN z
+}
+
+// Decides the sample, or adds it to the open ones.
+void AddSample(const TriangleOverPlaces& over, const ClippedTriangle& clipped,
+               const Corners3& places, OpenSample open, TriangleSamples& samples) {
+  open.is_clipped = clipped.MayDecide(open.at);
+  if (open.is_clipped) {
+    if (over.IsOutIfClipped(clipped, open.at)) return;
+    open.by_choice = {Status::kFree};
+    open.moved_edge = over.OnlyMovedEdge(clipped, open.at);
+  } else if (const std::optional<Status> status = over.Constant(open.at)) {
+    if (*status == Status::kIn) samples.covered.push_back(open.sample);
+    return;
+  } else {
+    open.by_choice = over.ByChoice(open.at);
+    Reduce(open, places);
+  }
+  if (open.by_choice.size() > 1 || open.by_choice[0] == Status::kFree) {
+    samples.open.push_back(std::move(open));
+  } else if (open.by_choice[0] == Status::kIn) {
+    samples.covered.push_back(open.sample);
+  }
+}
+
+}  // namespace
+
 TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* only) const {
   TriangleSamples samples;
   const std::array<Vertex, 3> given = Corners(scene_, scene_.triangles[triangle]);
   Corners3 places{};
   for (std::size_t k = 0; k < 3; ++k) places[k] = &PlacesOf(triangle, k);
   if (std::ranges::any_of(places, [](const auto* of) { return of->empty(); })) {
-    const auto is_nan = [](const Vertex& v) {
-      return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w);
-    };
-    const auto is_nan_z = [](const Vertex& v) { return std::isnan(v.z); };
-    if (std::ranges::any_of(given, is_nan_z) && profile_.nan_z == NanZ::kNothing) return samples;
-    if (std::ranges::any_of(given, is_nan)) {
-      samples.covers_anything = profile_.nan_vertex == NanVertex::kUnspecified;
-    } else if (!std::ranges::all_of(given, IsFinite)) {
-      samples.covers_anything = profile_.infinite_vertex == InfiniteVertex::kUnspecified;
-    } else {
-      samples.covers_anything = true;  // nothing is stated of its NaN z
-    }
+    samples.covers_anything = CoversAnything(profile_, given);
     return samples;
   }
   const std::optional<TieRule> rule = has_rule_ ? std::optional(family_.rule) : std::nullopt;
@@ -360,24 +389,8 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
                 frame_.offsets.size() +
             s;
         if (only != nullptr && !(*only)[index]) continue;
-        const Point2 p = frame_.At(x, row, s);
-        OpenSample open{triangle, index, p, {}, {}, clipped.MayDecide(p), {}};
-        if (open.is_clipped) {
-          if (over.IsOutIfClipped(clipped, p)) continue;
-          open.by_choice = {Status::kFree};
-          open.moved_edge = over.OnlyMovedEdge(clipped, p);
-        } else if (const std::optional<Status> status = over.Constant(p)) {
-          if (*status == Status::kIn) samples.covered.push_back(index);
-          continue;
-        } else {
-          open.by_choice = over.ByChoice(p);
-          Reduce(open, places);
-        }
-        if (open.by_choice.size() > 1 || open.by_choice[0] == Status::kFree) {
-          samples.open.push_back(std::move(open));
-        } else if (open.by_choice[0] == Status::kIn) {
-          samples.covered.push_back(index);
-        }
+        AddSample(over, clipped, places, {triangle, index, frame_.At(x, row, s), {}, {}, {}, {}},
+                  samples);
       }
     }
   }

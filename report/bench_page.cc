@@ -106,7 +106,7 @@ constexpr std::string_view kYoursMissing =
     "the page again:</p>\n";
 
 std::string Yours(const BenchResult& bench, std::string_view folder) {
-  const std::string table = UsersTable(bench);
+  std::string table = UsersTable(bench);
   if (!table.empty()) return table;
   return std::string(kYoursMissing) +
          Command(fmt::format("rasterproof bench --plugin mine.so --json {}/bench.json", folder)) +

@@ -287,7 +287,8 @@ std::string EndNumbers(const Plot& plot) {
     const auto [at, value] = PointsOf(*plot.lines[n].curves[0], plot.measure).back();
     const double x = plot.XOf(at) + 5;
     for (int k = 0; k < 24; ++k) {
-      const double y = plot.YOf(value) + 4 + (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2) * kLineHeight;
+      const int lines = (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2);
+      const double y = plot.YOf(value) + 4 + lines * kLineHeight;
       const bool is_free = std::ranges::none_of(taken, [&](const std::array<double, 2>& other) {
         return std::abs(other[0] - x) < 18 && std::abs(other[1] - y) < kLineHeight;
       });

@@ -147,7 +147,7 @@ std::string IfJudged(const BenchRow& row, const std::string& text) {
 }
 
 // Of a method whose triangles were not judged one by one: the whole drawing.
-std::string DrawingText(const BenchRow& row) {
+std::string DrawingCell(const BenchRow& row) {
   return row.drawing_wrong ? fmt::format("{} in the drawing", Grouped(*row.drawing_wrong)) : "–";
 }
 
@@ -165,7 +165,7 @@ std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
       FamilyHead(bench.families[row.family]), NameOf(method),
       NumberText(NanosecondsATriangle(bench, row)), beside(proved), beside(fastest),
-      row.is_judged ? WrongText(bench, row) : DrawingText(row),
+      row.is_judged ? WrongText(bench, row) : DrawingCell(row),
       IfJudged(row, NumberText(row.real.displacement)), IfJudged(row, Grouped(row.leaks.Sum())),
       NumberText(1e9 * row.conversion_seconds));
 }

@@ -22,6 +22,7 @@ namespace {
 
 // Pixels across and down in a picture; the sample lies in the middle one.
 constexpr int kSide = 9;
+constexpr int kMiddle = kSide / 2;
 constexpr double kScale = 16;
 
 struct Segment {
@@ -51,7 +52,7 @@ std::string PictureOf(const BenchWitness& witness) {
   for (std::size_t k = 0; k < corners.size(); ++k) {
     const Vertex& v = witness.corners[k];
     if (!IsFinite(v) || !(v.w > 0)) return {};
-    corners[k] = {v.x / v.w - witness.x + kSide / 2, v.y / v.w - witness.y + kSide / 2};
+    corners[k] = {v.x / v.w - witness.x + kMiddle, v.y / v.w - witness.y + kMiddle};
   }
   std::string svg;
   for (int k = 0; k <= kSide; ++k) {
@@ -65,7 +66,7 @@ std::string PictureOf(const BenchWitness& witness) {
                        edge->from.x * kScale, edge->from.y * kScale, edge->to.x * kScale,
                        edge->to.y * kScale);
   }
-  const double middle = (kSide / 2 + 0.5) * kScale;
+  const double middle = (kMiddle + 0.5) * kScale;
   return fmt::format(
       "<svg class=\"plot case\" role=\"img\" aria-label=\"The triangle's edges near the wrong "
       "sample\" viewBox=\"0 0 {0} {0}\">{1}<circle class=\"sample\" cx=\"{2}\" cy=\"{2}\" r=\"3\"/>"

@@ -99,7 +99,7 @@ struct Lane {
 };
 constexpr std::string_view kLost = "lost";
 constexpr std::string_view kOnTheEdge = "on the edge";
-constexpr std::string_view kNone = "0 of N";
+constexpr std::string_view kNoneOfN = "0 of N";
 constexpr std::string_view kProved = "proved 0";
 
 std::string_view LaneOf(const RowError& error) {
@@ -107,7 +107,7 @@ std::string_view LaneOf(const RowError& error) {
     case ErrorLane::kProved:
       return kProved;
     case ErrorLane::kNone:
-      return kNone;
+      return kNoneOfN;
     case ErrorLane::kLost:
       return kLost;
     case ErrorLane::kRate:
@@ -189,7 +189,7 @@ Panel::Panel(const BenchResult& result, std::uint32_t family, const Look& look)
 }
 
 std::vector<Lane> Panel::Lanes(ErrorKind kind) const {
-  std::vector<Lane> lanes{{kNone, look_.bottom() - 2 * look_.lane},
+  std::vector<Lane> lanes{{kNoneOfN, look_.bottom() - 2 * look_.lane},
                           {kProved, look_.bottom() - look_.lane}};
   if (kind == ErrorKind::kDisplacement) {
     lanes.insert(lanes.begin(), {{kLost, kTop}, {kOnTheEdge, look_.bottom() - 3 * look_.lane}});
@@ -342,11 +342,12 @@ std::string Panel::Labels(const std::vector<Place>& places, const std::vector<Pl
 std::string Panel::NamesBelow(const std::vector<Place>& named) const {
   std::string svg;
   double y = look_.bottom() + 32;
-  for (std::size_t k = 0; k < named.size(); ++k, y += 13) {
+  for (std::size_t k = 0; k < named.size(); ++k) {
     svg += Text(kLeft - 14, y, "start",
                 fmt::format("{} {}: {:.3g} x, {} ns/triangle", k + 1, FullName(MethodOf(named[k])),
                             named[k].row->ratio.median,
                             NumberText(NanosecondsATriangle(result_, *named[k].row))));
+    y += 13;
   }
   return svg;
 }
@@ -473,8 +474,9 @@ std::string BenchToSvg(const BenchResult& result) {
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#fff\"/>\n",
       width, height, PlainStyle());
   for (int k = 0; k < panels; ++k) {
+    const int row = k / kColumns;
     svg += fmt::format("<g transform=\"translate({} {})\">\n{}</g>\n",
-                       (k % kColumns) * kSmall.width, (k / kColumns) * kSmall.height(),
+                       (k % kColumns) * kSmall.width, row * kSmall.height(),
                        SmallPanel(result, static_cast<std::uint32_t>(k), false));
   }
   svg += Legend(height - 34);

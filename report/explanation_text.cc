@@ -107,7 +107,7 @@ std::string Legend(const Explanation& explanation) {
 std::string ExplanationToText(const Explanation& explanation, bool colour) {
   const PixelRect view = ReadableView(explanation, kMostTextPixels);
   const std::size_t gutter = fmt::format("{}", std::max(view.y1 - 1, 0)).size() + 1;
-  const auto panel_width = static_cast<std::size_t>(2 * (view.x1 - view.x0) + 1);
+  const auto panel_width = 2 * static_cast<std::size_t>(view.x1 - view.x0) + 1;
   const std::size_t column = std::max(panel_width, kWidestTitle + 2) + 3;
   std::string text;
   if (!explanation.headline.empty()) text += CleanText(explanation.headline) + "\n";

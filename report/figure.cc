@@ -1,5 +1,6 @@
 #include "report/figure.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -63,7 +64,7 @@ std::string Element(const Shape& shape) {
 Colour Mix(Colour a, Colour b, double t) {
   Colour mixed;
   for (std::size_t k = 0; k < 3; ++k) {
-    mixed[k] = static_cast<std::uint8_t>(a[k] + t * (b[k] - a[k]) + 0.5);
+    mixed[k] = static_cast<std::uint8_t>(std::lround(a[k] + t * (b[k] - a[k])));
   }
   return mixed;
 }

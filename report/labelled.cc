@@ -12,17 +12,17 @@
 namespace rasterproof::report {
 namespace {
 
-constexpr int kGap = 4;
-constexpr int kAdvance = kLetterWidth + 1;
-constexpr int kLine = kLetterHeight + kGap;
+constexpr int kLetterGap = 4;
+constexpr int kLetterAdvance = kLetterWidth + 1;
+constexpr int kLine = kLetterHeight + kLetterGap;
 
-int WidthOf(std::string_view text) { return static_cast<int>(text.size()) * kAdvance; }
+int WidthOf(std::string_view text) { return static_cast<int>(text.size()) * kLetterAdvance; }
 
 void Write(io::Image& image, std::string_view text, int left, int top) {
   for (std::size_t k = 0; k < text.size(); ++k) {
     for (int row = 0; row < kLetterHeight; ++row) {
       for (int column = 0; column < kLetterWidth; ++column) {
-        const int x = left + static_cast<int>(k) * kAdvance + column;
+        const int x = left + static_cast<int>(k) * kLetterAdvance + column;
         const int y = top + row;
         if (IsInk(text[k], column, row) && x < image.width && y < image.height)
           image.At(x, y) = kInk;
@@ -45,12 +45,12 @@ int StepFor(int room, int scale) {
 
 io::Image Labelled(const io::Image& pixels, PixelRect view, int scale,
                    std::span<const LegendEntry> legend) {
-  const int of_rows = WidthOf(std::to_string(view.y1 - 1)) + kGap;
+  const int of_rows = WidthOf(std::to_string(view.y1 - 1)) + kLetterGap;
   int width = of_rows + pixels.width;
   for (const LegendEntry& entry : legend)
-    width = std::max(width, kGap + kLetterHeight + kGap + WidthOf(entry.words));
-  const int of_legend = static_cast<int>(legend.size()) * kLine + kGap;
-  io::Image image(width + kGap, kLine + pixels.height + of_legend);
+    width = std::max(width, kLetterGap + kLetterHeight + kLetterGap + WidthOf(entry.words));
+  const int of_legend = static_cast<int>(legend.size()) * kLine + kLetterGap;
+  io::Image image(width + kLetterGap, kLine + pixels.height + of_legend);
   std::ranges::fill(image.pixels, kPaper);
   for (int y = 0; y < pixels.height; ++y) {
     for (int x = 0; x < pixels.width; ++x)
@@ -60,26 +60,26 @@ io::Image Labelled(const io::Image& pixels, PixelRect view, int scale,
   }
   const int widest = WidthOf(std::to_string(view.x1 - 1));
   for (int x = view.x0; x < view.x1; ++x) {
-    if (x % StepFor(widest + kAdvance, scale) != 0) continue;
+    if (x % StepFor(widest + kLetterAdvance, scale) != 0) continue;
     const std::string number = std::to_string(x);
     const int middle = of_rows + (x - view.x0) * scale + scale / 2;
-    Write(image, number, std::max(0, middle - WidthOf(number) / 2), kGap / 2);
+    Write(image, number, std::max(0, middle - WidthOf(number) / 2), kLetterGap / 2);
   }
   for (int y = view.y0; y < view.y1; ++y) {
     if (y % StepFor(kLine, scale) != 0) continue;
     const std::string number = std::to_string(y);
     const int middle = kLine + (y - view.y0) * scale + scale / 2;
-    Write(image, number, of_rows - kGap - WidthOf(number) + 1, middle - kLetterAscent / 2);
+    Write(image, number, of_rows - kLetterGap - WidthOf(number) + 1, middle - kLetterAscent / 2);
   }
-  int top = kLine + pixels.height + kGap;
+  int top = kLine + pixels.height + kLetterGap;
   for (const LegendEntry& entry : legend) {
     for (int y = 0; y < kLetterHeight; ++y) {
       for (int x = 0; x < kLetterHeight; ++x) {
         const bool is_border = x == 0 || y == 0 || x + 1 == kLetterHeight || y + 1 == kLetterHeight;
-        image.At(kGap + x, top + y) = is_border ? kFaintInk : entry.colour;
+        image.At(kLetterGap + x, top + y) = is_border ? kFaintInk : entry.colour;
       }
     }
-    Write(image, entry.words, kGap + kLetterHeight + kGap, top + 1);
+    Write(image, entry.words, kLetterGap + kLetterHeight + kLetterGap, top + 1);
     top += kLine;
   }
   return image;

@@ -112,6 +112,8 @@ if(SUBJECT_VULKAN_FOUND)
         ${PROJECT_SOURCE_DIR}/subjects/vulkan/${shader}
       DEPENDS subjects/vulkan/${shader} VERBATIM)
   endforeach()
+  add_custom_target(vulkan_shaders DEPENDS
+    ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/read_samples.comp.h)
   # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT [SAMPLES])
   # An empty description: the drivers that are installed, and any GPU.
   function(rasterproof_vulkan_subject name install description device half)

@@ -263,8 +263,10 @@ void SeeIfItCan(Subject& subject, const Case& c, Verdict& verdict) {
   if (!HasPlace(verdict)) return;
   try {
     See(subject, c, verdict);
-  } catch (const InputError&) {   // it takes no such scene any more
-  } catch (const SubjectStop&) {  // or takes too long over it now
+  } catch (const InputError&) {
+    return;  // it takes no such scene any more
+  } catch (const SubjectStop&) {
+    return;  // or takes too long over it now
   }
 }
 
@@ -370,7 +372,7 @@ namespace {
 // A scene that the oracle does not decide has no picture.
 std::string PictureText(const SubjectInfo& subject, const Case& c, const Verdict& verdict,
                         const std::string& replay) {
-  const std::string no_picture = replay.empty() ? "" : "replay: " + replay + "\n";
+  std::string no_picture = replay.empty() ? "" : "replay: " + replay + "\n";
   if (!HasPlace(verdict)) return no_picture;
   try {
     if (!HoldsWhatWasSeen(verdict, c)) return no_picture;

@@ -60,6 +60,27 @@ std::unique_ptr<Subject> Made(const std::string& name, const CaseChoice& choice,
   return make ? make() : MakeSubject(name, choice.profile, choice.list_length);
 }
 
+// The drawn case that choice.name names.
+LoadedCase LoadNamed(const CaseChoice& choice, const std::string& subject, std::string_view verb,
+                     const SubjectMaker& make) {
+  if (!choice.path.empty()) {
+    throw InputError("--case", "a case file and the name of a drawn case were both given",
+                     "give one of them");
+  }
+  if (subject.empty()) {
+    throw InputError("--case", "the name of a case needs a subject", "give --subject as well");
+  }
+  const CaseName case_name = RequireCaseName(choice.name);
+  LoadedCase loaded;
+  if (!choice.property.empty()) loaded.property = &RequireProperty(choice.property);
+  loaded.subject = Made(subject, choice, make);
+  loaded.value = props::DrawCase(loaded.subject->Info(), case_name);
+  CaseChoice stated = choice;
+  stated.subject = subject;
+  loaded.replay = CommandFor(verb, stated);
+  return loaded;
+}
+
 // Bytes mean a case only with a subject, whose lattice and profile are part of what they mean.
 LoadedCase LoadFuzzInput(const CaseChoice& choice, std::string_view bytes, std::string_view verb,
                          const SubjectMaker& make) {
@@ -98,22 +119,7 @@ LoadedCase LoadCaseOrDrawing(const CaseChoice& choice, std::string_view verb,
   const std::vector<std::string> own = OwnNames();
   const std::string unnamed = own.empty() ? std::string() : own.front();  // of kit/main.h's program
   if (!choice.name.empty()) {
-    if (subject.empty()) subject = unnamed;
-    if (!choice.path.empty()) {
-      throw InputError("--case", "a case file and the name of a drawn case were both given",
-                       "give one of them");
-    }
-    if (subject.empty()) {
-      throw InputError("--case", "the name of a case needs a subject", "give --subject as well");
-    }
-    const CaseName case_name = RequireCaseName(choice.name);
-    if (!property.empty()) loaded.property = &RequireProperty(property);
-    loaded.subject = Made(subject, choice, make);
-    loaded.value = props::DrawCase(loaded.subject->Info(), case_name);
-    CaseChoice stated = choice;
-    stated.subject = subject;
-    loaded.replay = CommandFor(verb, stated);
-    return loaded;
+    return LoadNamed(choice, subject.empty() ? unnamed : subject, verb, make);
   }
   if (choice.path.empty()) {
     throw InputError("case", "no case was given", "give a case file, or --subject and --case NAME");

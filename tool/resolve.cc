@@ -76,7 +76,7 @@ namespace {
 
 // The set with the numbers that the subject states of its device.
 Profile ReportedBy(const Subject& subject, const Profile& set) {
-  const SubjectInfo info = subject.Info();
+  const SubjectInfo& info = subject.Info();
   Profile filled = FilledIn(set, info.profile);
   if (!filled.guard_band) filled.guard_band = set.guard_band;  // it says nothing of clipping
   if (filled == set) return set;

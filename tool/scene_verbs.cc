@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -134,10 +135,12 @@ void AddCoverage(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunCoverage(options); }; });
 }
 
-void AddLegal(CLI::App& app, Run& run) {
-  static LegalOptions options;
-  CLI::App* verb = app.add_subcommand(
-      "legal", "Check whether one legal model explains a drawing, or show what is open");
+void ExcludeAll(CLI::Option* option, std::initializer_list<CLI::Option*> others) {
+  for (CLI::Option* other : others) option->excludes(other);
+}
+
+// What is judged, and by which profile.
+void AddDrawing(CLI::App* verb, LegalOptions& options) {
   AddScene(verb, options.scene);
   verb->get_option("scene")->required(false);  // not with --list
   verb->add_option("image", options.image,
@@ -146,6 +149,26 @@ void AddLegal(CLI::App& app, Run& run) {
   AddSubject(verb, options.subject, "Subject that draws the scene");
   verb->add_option("--profile", options.profile,
                    "Preset or profile file (default: the subject's own)");
+}
+
+void AddPictureView(CLI::App* verb, LegalOptions& options, CLI::Option* png) {
+  verb->add_option("--view", options.view, "Part of the target to show: COLUMN,ROW,WIDTH,HEIGHT")
+      ->delimiter(',')
+      ->expected(4)
+      ->needs(png);
+  verb->add_option("--scale", options.scale,
+                   "Side of a pixel in the picture; 4 and more show edges, 8 and more also pixel "
+                   "numbers and a legend")
+      ->check(CLI::Range(1, 128))
+      ->capture_default_str()
+      ->needs(png);
+}
+
+void AddLegal(CLI::App& app, Run& run) {
+  static LegalOptions options;
+  CLI::App* verb = app.add_subcommand(
+      "legal", "Check whether one legal model explains a drawing, or show what is open");
+  AddDrawing(verb, options);
   CLI::Option* background =
       verb->add_option("--background", options.background, "Background colour of a picture, RRGGBB")
           ->capture_default_str();
@@ -170,32 +193,18 @@ void AddLegal(CLI::App& app, Run& run) {
   CLI::Option* save = verb->add_option(
       "--save", options.save,
       "Case file for the part that no model explains; this verb can judge it again");
-  CLI::Option* decided =
-      verb->add_flag(
-              "--decided", options.decided,
-              "Judge no drawing; print how often the legal models of --profile cover each sample")
-          ->excludes(background)
-          ->excludes(counts)
-          ->excludes(ids)
-          ->excludes(facings)
-          ->excludes(save);
+  CLI::Option* decided = verb->add_flag(
+      "--decided", options.decided,
+      "Judge no drawing; print how often the legal models of --profile cover each sample");
+  ExcludeAll(decided, {background, counts, ids, facings, save});
   CLI::Option* resolved =
       verb->add_flag("--resolved", options.resolved,
                      "Read the image as a resolved multisampled target: covered samples of each "
-                     "pixel, as rows of numbers or as grey (white: all)")
-          ->excludes(background)
-          ->excludes(counts)
-          ->excludes(ids)
-          ->excludes(facings)
-          ->excludes(save)
-          ->excludes(decided);
+                     "pixel, as rows of numbers or as grey (white: all)");
+  ExcludeAll(resolved, {background, counts, ids, facings, save, decided});
   CLI::Option* list = verb->add_option("--list", options.list,
-                                       "File of drawings to judge one by one (docs/commands.md)")
-                          ->excludes(facings)
-                          ->excludes(json)
-                          ->excludes(save)
-                          ->excludes(decided)
-                          ->excludes(resolved);
+                                       "File of drawings to judge one by one (docs/commands.md)");
+  ExcludeAll(list, {facings, json, save, decided, resolved});
   verb->add_option("--junit", options.junit,
                    "Verdicts on the list as JUnit XML (- for standard output)")
       ->needs(list);
@@ -209,16 +218,7 @@ void AddLegal(CLI::App& app, Run& run) {
           "--assume-transform-error", options.transform_error,
           "Judge clip space: before the snap, x and y may be off by N x 2^-24 of their size")
       ->check(CLI::Range(0.0, 0x1p20));
-  verb->add_option("--view", options.view, "Part of the target to show: COLUMN,ROW,WIDTH,HEIGHT")
-      ->delimiter(',')
-      ->expected(4)
-      ->needs(png);
-  verb->add_option("--scale", options.scale,
-                   "Side of a pixel in the picture; 4 and more show edges, 8 and more also pixel "
-                   "numbers and a legend")
-      ->check(CLI::Range(1, 128))
-      ->capture_default_str()
-      ->needs(png);
+  AddPictureView(verb, options, png);
   verb->callback([&run] { run = [] { return RunLegal(options); }; });
 }
 

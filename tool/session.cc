@@ -91,9 +91,10 @@ props::CampaignOptions CampaignOn(const Subject& subject, props::CampaignOptions
     try {
       return make();
     } catch (const InputError&) {
+      return nullptr;
     } catch (const SubjectStop&) {  // it was interrupted
+      return nullptr;
     }
-    return nullptr;
   };
   return options;
 }

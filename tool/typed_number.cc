@@ -22,13 +22,16 @@ std::uint64_t ParseSeed(const std::string& text) {
     Tell(fmt::format("seed {}\n", seed));
     return seed;
   }
+  const InputError fault("--seed " + text, "not a seed",
+                         "give an integer of 0 to 2^64 - 1, or 'random'");
   std::size_t used = 0;
   try {
     const std::uint64_t seed = std::stoull(text, &used, 0);
     if (used == text.size() && !text.starts_with('-')) return seed;
-  } catch (const std::exception&) {  // reported below, with the same words
+  } catch (const std::exception&) {
+    throw fault;
   }
-  throw InputError("--seed " + text, "not a seed", "give an integer of 0 to 2^64 - 1, or 'random'");
+  throw fault;
 }
 
 int ParseCount(const std::string& option, const std::string& text, int most) {

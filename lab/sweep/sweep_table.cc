@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/case.h"
@@ -88,8 +89,8 @@ ComparisonTable SweepTable(const SweepRunner& runner, const Sweep& sweep, std::u
       .subjects = {{fmt::format("{}", fmt::join(runner.settings().sources, " ")), {}}}};
   std::vector<std::size_t> order(sweep.rows().size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t k) {
-    return sweep.rows()[k].IsDrawn() ? sweep.rows()[k].group : order.size();
+  std::ranges::sort(order, {}, [&](std::size_t k) {
+    return std::pair(sweep.rows()[k].IsDrawn() ? sweep.rows()[k].group : order.size(), k);
   });
   for (const std::size_t k : order) {
     const SweepRow& row = sweep.rows()[k];

@@ -30,7 +30,13 @@ constexpr std::size_t kConfirmations = 16;  // draws more in which what is left 
 
 constexpr std::int64_t kSmallestBudget = 16;
 constexpr std::int64_t kLargestBudget = 1 << 16;
-constexpr std::size_t kMostHalved = 8;  // wrong draws that a budget is found by
+
+// The number of [least, end) that is a multiple of the largest power of two.
+std::int64_t Roundest(std::int64_t least, std::int64_t end) {
+  std::int64_t round = least;
+  for (; least < end; least += least & -least) round = least;
+  return round;
+}
 
 std::uint64_t CoveredIn(const Seen& drawings) {
   std::uint64_t covered = 0;
@@ -76,28 +82,30 @@ bool Investigation::IsSound(Fitting& fitting) const {
 }
 
 // The suspect with the budget within which it draws as much as the subject: of several the
-// roundest. A larger one draws no less, so that it is found by halving.
+// roundest. A larger one draws no less, so that it is found by halving. What differs by more than a
+// budget is another fault's.
 std::optional<Suspect> Investigation::WithBudget(Suspect suspect) const {
   if (!suspect.within) return suspect;
   std::int64_t least = kSmallestBudget;
   std::int64_t end = kLargestBudget + 1;
-  for (std::size_t k = 0; k < std::min(wrong_, kMostHalved); ++k) {
-    const Observation& o = observations_[k];
+  for (const Observation& o : std::span(observations_).first(modelled_)) {
     const std::uint64_t seen = CoveredIn(o.seen);
     const auto drawn = [&](std::int64_t budget) {
       return CoveredIn(DrawnBy(*MakeSuspect(subject_->Info(), suspect.within(budget)), o));
     };
-    if (drawn(kSmallestBudget) > seen || drawn(kLargestBudget) <= seen) continue;
+    if (drawn(Roundest(least, end)) == seen) continue;
+    if (drawn(kSmallestBudget) > seen || drawn(kLargestBudget) < seen) continue;
     const auto first = [&](auto draws_less) {
       return *std::ranges::partition_point(std::views::iota(least, end), draws_less);
     };
     least = first([&](std::int64_t n) { return drawn(n) < seen; });
     end = first([&](std::int64_t n) { return drawn(n) <= seen; });
+    if (least == end) return std::nullopt;
   }
-  if (least == end || end > kLargestBudget) return std::nullopt;
-  for (std::int64_t rounder = least; rounder < end; rounder += rounder & -rounder) least = rounder;
-  suspect.stages = suspect.within(least);
-  suspect.what.replace(suspect.what.find("{}"), 2, std::to_string(least));
+  if (end > kLargestBudget) return std::nullopt;
+  const std::int64_t budget = Roundest(least, end);
+  suspect.stages = suspect.within(budget);
+  suspect.what.replace(suspect.what.find("{}"), 2, std::to_string(budget));
   return suspect;
 }
 

@@ -15,7 +15,7 @@ constexpr double kFarSide = 32;  // beyond the target from every place
 constexpr int kNever = -1;       // in place of a number of steps: no edge leaves the place covered
 
 // Covers what lies beyond the edge, right of it or with greater y.
-Scene HalfPlane(int steps, bool along_y) {
+Scene HalfPlaneScene(int steps, bool along_y) {
   const double begin = static_cast<double>(steps) / kPlaceSteps;
   const double x = along_y ? 0 : begin;
   const double y = along_y ? begin : 0;
@@ -32,7 +32,7 @@ std::vector<int> LastSteps(Observer& observer, bool along_y) {
   std::vector<Scene> scenes;
   std::vector<int> steps;
   for (int k = 0; k <= kSmallTarget * kPlaceSteps; ++k) {
-    const std::optional<Scene> given = observer.Given(observer.Turned(HalfPlane(k, along_y)));
+    const std::optional<Scene> given = observer.Given(observer.Turned(HalfPlaneScene(k, along_y)));
     if (!given) continue;
     scenes.push_back(*given);
     steps.push_back(k);

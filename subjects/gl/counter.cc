@@ -129,6 +129,7 @@ void GlCounter::Submit(const rasterproof_scene& scene) const {
   }
   for (GLsizei first = 0; first < count; first += 3) {
     const auto offset = static_cast<std::size_t>(first) * sizeof(std::int32_t);
+    // NOLINTNEXTLINE(performance-no-int-to-ptr): so OpenGL takes an offset into its buffer
     glDrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
     glFinish();
   }
@@ -150,10 +151,11 @@ std::int32_t GlCounter::Draw(const rasterproof_scene& scene, const rasterproof_t
   if (reader_) reader_->Fetch(texture_);
   glReadPixels(0, 0, width_ * samples_, height_, GL_RG, GL_FLOAT, texels_.data());
   if (glGetError() != GL_NO_ERROR) return 1;
+  const std::size_t columns = static_cast<std::size_t>(width_) * static_cast<std::size_t>(samples_);
   const float* texel = texels_.data();
   for (int y = 0; y < height_; ++y) {
     const std::size_t row = static_cast<std::size_t>(y) * target.stride;
-    for (std::size_t x = 0; x < static_cast<std::size_t>(width_ * samples_); ++x, texel += 2) {
+    for (std::size_t x = 0; x < columns; ++x, texel += 2) {
       target.front[row + x] += static_cast<std::uint32_t>(texel[0]);
       target.back[row + x] += static_cast<std::uint32_t>(texel[1]);
     }

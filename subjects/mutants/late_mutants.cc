@@ -17,6 +17,7 @@
 namespace rasterproof::subjects::mutants {
 namespace {
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> FixedPointOnes() {
   return {
       {"late-half-up-y", "ties of the snap go up along y", "",

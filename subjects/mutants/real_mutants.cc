@@ -186,6 +186,7 @@ ClipTriangle Each(ClipTriangle v, void (*change)(Vertex&)) {
   return v;
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> RealClips() {
   return {
       {"clip-drops-behind", "a triangle with a vertex behind the eye is dropped", "",

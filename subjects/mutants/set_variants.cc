@@ -210,6 +210,7 @@ double RoundAbove(double x, int bits, double threshold) {
 
 FixedStages StagesOfPreset(std::string_view preset) { return {{}, *PresetProfile(preset)}; }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> SetVariants() {
   return {
       {"vulkan-4-bits", "the grid has four subpixel bits", "SwiftShader",
@@ -315,6 +316,7 @@ std::vector<Mutant> SetVariants() {
   };
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> SetMutants() {
   return {
       {"vulkan-3-bits", "the grid has three subpixel bits, where four are the fewest", "",

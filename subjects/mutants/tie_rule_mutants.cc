@@ -22,6 +22,7 @@ FixedStages Owning(bool (*owns)(const GridEdge&)) {
       {.owns = [owns](const GridEdge& e, const GridTriangle&, const Sample&) { return owns(e); }}};
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> Ties() {
   return {
       {"ties-inclusive", "every edge owns its samples",

@@ -62,6 +62,7 @@ bool IsLostInTheLargest(const TileCorners& e) {
   return least < 0 && most > 0 && most <= -(least >> 30);
 }
 
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> Tiles() {
   return {
       {"tile-reject-rounded", "a tile is rejected by an edge's values rounded to 30 bits", "",

@@ -27,7 +27,8 @@ constexpr pid_t kReserved = -1;
 
 // In memory that the keeper shares. 0: a free place; kReserved: a child that is not there yet.
 using Groups = std::array<std::atomic<pid_t>, kMostGroups>;
-static_assert(std::atomic<pid_t>::is_always_lock_free && std::atomic<int>::is_always_lock_free);
+static_assert(std::atomic<pid_t>::is_always_lock_free);
+static_assert(std::atomic<int>::is_always_lock_free);
 
 std::atomic<bool> interrupted{false};
 std::atomic<int> interrupted_file{-1};

@@ -21,6 +21,16 @@ constexpr VkVertexInputBindingDescription kBinding{0, 2 * sizeof(float),
                                                    VK_VERTEX_INPUT_RATE_VERTEX};
 constexpr VkVertexInputAttributeDescription kAttribute{0, 0, VK_FORMAT_R32G32_SFLOAT, 0};
 
+VkPipelineVertexInputStateCreateInfo VertexInput() {
+  VkPipelineVertexInputStateCreateInfo input{};
+  input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
+  input.vertexBindingDescriptionCount = 1;
+  input.pVertexBindingDescriptions = &kBinding;
+  input.vertexAttributeDescriptionCount = 1;
+  input.pVertexAttributeDescriptions = &kAttribute;
+  return input;
+}
+
 VkPipelineColorBlendAttachmentState Additive() {
   VkPipelineColorBlendAttachmentState add{};
   add.blendEnable = VK_TRUE;
@@ -172,12 +182,7 @@ void VulkanCounter::MakePipeline() {
   const std::array<VkPipelineShaderStageCreateInfo, 2> stages{
       Stage(VK_SHADER_STAGE_VERTEX_BIT, Module(device_, kVertexShader)),
       Stage(VK_SHADER_STAGE_FRAGMENT_BIT, Module(device_, kFragmentShader))};
-  VkPipelineVertexInputStateCreateInfo input{};
-  input.sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO;
-  input.vertexBindingDescriptionCount = 1;
-  input.pVertexBindingDescriptions = &kBinding;
-  input.vertexAttributeDescriptionCount = 1;
-  input.pVertexAttributeDescriptions = &kAttribute;
+  const VkPipelineVertexInputStateCreateInfo input = VertexInput();
   VkPipelineInputAssemblyStateCreateInfo assembly{};
   assembly.sType = VK_STRUCTURE_TYPE_PIPELINE_INPUT_ASSEMBLY_STATE_CREATE_INFO;
   assembly.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;

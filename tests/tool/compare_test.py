@@ -47,10 +47,14 @@ class Compare(unittest.TestCase):
                 self.assertEqual(again.returncode, 1, path + again.stdout + again.stderr)
 
     def test_what_it_cannot_be_combined_with_is_refused(self):
-        for other in (("--mode", "ftz"), ("scenes/ties.json",)):
-            done = compare(*other)
-            self.assertEqual(done.returncode, 2, other)
-            self.assertIn("--families", done.stderr)
+        done = compare("--mode", "ftz")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("Cases by yardsticks] excludes --mode", done.stderr)
+
+    def test_scenes_stand_beside_families(self):
+        done = compare("scenes/ties.json", "--subject", "spans-exact")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, r"\n  needles .*\n(.*\n)*  scenes/ties.json +")
 
     def test_check_says_where_its_options_are(self):
         for word, now in (("--catalogue", "compare"), ("--fp-env=ftz", "compare --mode ftz"),

@@ -47,7 +47,7 @@ class Survey(unittest.TestCase):
     def test_of_a_right_rasterizer_nothing_is_found(self):
         survey, text = self.survey("--subject", "i64-snap8")
         self.assertEqual(survey["yardsticks"], YARDSTICKS)
-        self.assertIn("nearest model: 8 bits", text)
+        self.assertIn("nearest model: 8 subpixel bits", text)
         self.assertIn("this model explains all", text)
         self.assertEqual(sum(cell["wrong"] for cell in cells(survey)), 0)
         self.assertEqual(total(survey, "nearest model", "excused"), 0)

@@ -53,7 +53,7 @@ std::string FileName(const std::string& method, const std::string& step) {
   return name;
 }
 
-std::string Counted(const BenchFingerprint& print) {
+std::string CountsCell(const BenchFingerprint& print) {
   if (print.places == BenchFingerprint{}.places) return fmt::format("{}", print.wrong);
   return fmt::format("{} of {}", print.wrong, print.places);
 }
@@ -138,7 +138,7 @@ std::string FingerprintTable(const BenchResult& result) {
   for (const BenchFingerprint& print : result.fingerprints) {
     if (std::ranges::find(steps, print.step) == steps.end()) steps.push_back(print.step);
     if (std::ranges::find(methods, print.method) == methods.end()) methods.push_back(print.method);
-    cells[{print.method, print.step}] = Counted(print);
+    cells[{print.method, print.step}] = CountsCell(print);
   }
   std::string text =
       "Places of an edge's end, of 65,536, where a sample differs from the method's own model, by "

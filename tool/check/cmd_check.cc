@@ -134,15 +134,27 @@ void AskAll(const Crew& crew, const Properties& properties, const Ask& ask, Fail
   if (error) std::rethrow_exception(error);
 }
 
-// One property on generated cases; shows its progress.
-PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
-                        const props::Property& property, const CheckOptions& options,
-                        Progress& progress, std::size_t worker, props::Pace& pace,
-                        std::string& cases, const props::World* world = nullptr) {
-  const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
-  progress.Stage(stage, options.campaign.cases, worker);
+// Options for one property. Adds lines to `cases` where they are asked for.
+props::CampaignOptions CampaignFor(Subject& subject, const SubjectFactory& asked,
+                                   const props::Property& property, const CheckOptions& options,
+                                   props::Pace& pace, std::string& cases) {
   props::CampaignOptions campaign =
-      CampaignOn(subject, options.campaign, [&] { return asked.Make(); });
+      CampaignOn(subject, options.campaign, [&asked] { return asked.Make(); });
+  campaign.pace = &pace;
+  if (!options.cases_json.empty()) {
+    campaign.judged = [&](const Case& c, const Verdict& verdict) {
+      cases += CaseLine(subject.Info(), property, c, verdict);
+    };
+  }
+  return campaign;
+}
+
+// One property on generated cases, of `world` if there is one; shows its progress.
+PropertyResult Campaign(Subject& subject, const props::Property& property,
+                        props::CampaignOptions campaign, const props::World* world,
+                        Progress& progress, std::size_t worker) {
+  const std::string stage = fmt::format("{} {}", subject.Info().name, property.name);
+  progress.Stage(stage, campaign.cases, worker);
   campaign.progress = [&](std::uint64_t done) { progress.Done(done, worker); };
   campaign.shrinking = [&](std::uint64_t evaluations) {
     if (evaluations == 0) {
@@ -150,14 +162,8 @@ PropertyResult Campaign(Subject& subject, const SubjectFactory& asked,
     }
     progress.Done(evaluations, worker);
   };
-  campaign.pace = &pace;
   campaign.world = world;
   if (world != nullptr) campaign.cases = world->cases;
-  if (!options.cases_json.empty()) {
-    campaign.judged = [&](const Case& c, const Verdict& verdict) {
-      cases += CaseLine(subject.Info(), property, c, verdict);
-    };
-  }
   PropertyResult result = props::RunCampaign(subject, property, campaign);
   progress.Stage("", 0, worker);
   return result;
@@ -277,7 +283,8 @@ void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedChe
     std::string cases;
     const auto run = [&](const props::World* world) {
       if (pulled != nullptr) return pulled->Result(property, world, cases);
-      return Campaign(own, subject, property, options, progress, worker, pace, cases, world);
+      return Campaign(own, property, CampaignFor(own, subject, property, options, pace, cases),
+                      world, progress, worker);
     };
     PropertyResult result = run(nullptr);
     const bool has_failed = result.outcome == Outcome::kViolated;

@@ -186,8 +186,7 @@ io::Image Picture(const legal::Decided& decided, const Scene& scene, const Profi
     throw InputError("--scale", fmt::format("the picture is longer than {} pixels", kLongestSide),
                      "give a smaller --scale or --view");
   }
-  const io::Image pixels =
-      report::Enlarged(Paint(decided), scene, view, options.scale, profile.y_axis);
+  io::Image pixels = report::Enlarged(Paint(decided), scene, view, options.scale, profile.y_axis);
   if (options.scale < kLeastForLabels) return pixels;
   constexpr std::array kLegend{
       report::LegendEntry{report::kUncovered, "covered by no legal model"},

@@ -10,6 +10,7 @@
 
 #include "core/call_end.h"
 #include "core/quoted.h"
+#include "subjects/process/npy.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
 

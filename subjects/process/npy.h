@@ -4,16 +4,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace rasterproof::subjects {
+#include "subjects/process/protocol.h"
 
-/// Returns the next bytes of a stream, exactly so many, valid until the next call.
-using NextBytes = std::function<std::string_view(std::size_t count)>;
+namespace rasterproof::subjects {
 
 /// Returns an array of two dimensions as NPY 1.0: little-endian, row by row.
 ///

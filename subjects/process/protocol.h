@@ -69,7 +69,6 @@
 #include "core/scene.h"
 #include "core/subject_info.h"
 #include "core/vertex.h"
-#include "subjects/process/npy.h"
 
 namespace rasterproof::subjects {
 
@@ -152,6 +151,9 @@ std::string ValuesText(std::uint64_t id, std::span<const double> values);
 /// Returns the next line of an answer, valid until the next call. The argument is the most bytes
 /// that a correct answer's line has: the reader need not wait for the end of a longer one.
 using NextLine = std::function<std::string_view(std::size_t most_bytes)>;
+
+/// Returns the next bytes of a stream, exactly so many, valid until the next call.
+using NextBytes = std::function<std::string_view(std::size_t count)>;
 
 /// Reads the answer to a request, line by line. Outputs that the job does not want may be left out.
 ///

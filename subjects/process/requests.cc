@@ -10,6 +10,7 @@
 #include "core/call_end.h"
 #include "core/error.h"
 #include "core/target_size.h"
+#include "subjects/process/npy.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
 

@@ -11,7 +11,6 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "subjects/process/protocol.h"
-#include "tool/description.h"
 #include "tool/exit_status.h"
 #include "tool/interrupt.h"
 #include "tool/resolve.h"
@@ -25,13 +24,17 @@ std::string FolderOf(const std::string& subject) {
   return folder;
 }
 
+// The file with what the program states; "" if there is none.
+std::string DescriptionIn(const std::string& folder) {
+  const std::string file = folder + "/program.subject";
+  return std::filesystem::exists(file) ? file : "";
+}
+
 // The description of the program. It draws nothing.
 class Described final : public Subject {
  public:
-  explicit Described(const std::string& subject) {
-    std::string file = FolderOf(subject) + "/program.subject";
-    if (!std::filesystem::exists(file)) file.clear();
-    info_ = Kinds().not_at_hand(file);
+  explicit Described(const std::string& subject)
+      : info_(Kinds().not_at_hand(DescriptionIn(FolderOf(subject)))) {
     info_.name = subject;
   }
   const SubjectInfo& OwnInfo() const override { return info_; }
@@ -102,9 +105,10 @@ int FarProgram::GoOn(Rounds& rounds, const std::function<void()>& ask,
 
 int FarProgram::Run(std::string_view verb, const RoundsTask& task, const std::function<void()>& ask,
                     const std::function<int()>& tell) {
+  const std::string file = DescriptionIn(folder_);
   RoundsTask whole{{"verb", std::string(verb)},
-                   {"description or profile",
-                    HashText(DescriptionText(Info(), io::ProfileToJson(Info().profile)))}};
+                   {"description or profile", HashText((file.empty() ? "" : io::ReadFile(file)) +
+                                                       io::ProfileToJson(Info().profile))}};
   whole.insert(whole.end(), task.begin(), task.end());
   try {
     Rounds rounds(folder_, std::move(whole), engine_);

@@ -42,7 +42,7 @@ void AddReading(const Case& given, const Reading& reading, std::size_t samples, 
   cell.furthest = reading.furthest;
 }
 
-// Puts the yardsticks to a case. Returns whether the draw ended the subject or took it too long.
+// Puts the yardsticks to a case. Returns whether a draw ended the subject or took it too long.
 bool Take(const Row& row, std::span<const Yardstick> yardsticks, const CaseAtHand& at,
           std::vector<Cell>& cells) {
   std::vector<std::pair<Judging, Cell*>> judgings;
@@ -56,14 +56,17 @@ bool Take(const Row& row, std::span<const Yardstick> yardsticks, const CaseAtHan
   }
   if (judgings.empty()) return false;
   const Drawn drawn = row.draw(at);
+  bool ends = EndsTheCall(drawn.end.stop);
   for (const auto& [judging, cell] : judgings) {
     if (drawn.end.stop != Stop::kNone) {
       AddEnd(at.given, drawn.end, *cell);
-    } else {
-      AddReading(at.given, judging.read(drawn), drawn.drawing->counts.size(), *cell);
+      continue;
     }
+    const Reading reading = judging.read(drawn);
+    ends = ends || EndsTheCall(reading.end.stop);
+    AddReading(at.given, reading, drawn.drawing->counts.size(), *cell);
   }
-  return EndsTheCall(drawn.end.stop);
+  return ends;
 }
 
 }  // namespace

@@ -99,8 +99,7 @@ Yardstick ItselfInMode(Subject& subject, FloatMode mode, FloatMode option) {
     }
     return {"", [&subject, mode, option, &at](const Drawn& drawn) -> Reading {
               const DrawOutcome outcome = DrawInMode(subject, at.given, option);
-              if (IsBreakdown(outcome.end.stop)) return {.end = outcome.end};
-              if (outcome.end.stop != Stop::kNone) return {};
+              if (outcome.end.stop != Stop::kNone) return {.end = outcome.end};
               const CoverageCounts& counts = outcome.drawing.counts;
               Reading reading =
                   Measured(at.placed(), counts, WrongSamples(counts, drawn.drawing->counts));

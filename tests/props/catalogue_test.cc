@@ -9,10 +9,12 @@
 #include <string_view>
 
 #include "core/call_end.h"
+#include "core/drawing.h"
 #include "core/sample_pattern.h"
 #include "core/subject_info.h"
 #include "core/tie_rule.h"
 #include "exact/coverage.h"
+#include "props/compare/compare.h"
 #include "props/compare/families.h"
 #include "props/compare/yardsticks.h"
 #include "props/domains/domain.h"
@@ -159,6 +161,27 @@ TEST(Catalogue, AFamilyOfWhichHardlyAnyCaseIsJudgedIsExcusedUnlessThatFails) {
     fails += Cells(wrong, "non-finite", 100, seed).front().wrong;
   }
   EXPECT_GT(fails, 0U);
+}
+
+// What a yardstick could not draw is excused with its reason, and four hangs of it end the row.
+TEST(Comparison, WhatAYardstickCouldNotDrawIsNotRight) {
+  const auto drawing = std::make_shared<Drawing>();
+  Case given;
+  const Row row{.cases = 9,
+                .at = [&](std::uint64_t) { return given; },
+                .draw = [&](const CaseAtHand&) { return Drawn{{}, drawing}; }};
+  const auto ends_by = [](Stop stop) {
+    return Yardstick([stop](const CaseAtHand&) {
+      return Judging{"", [stop](const Drawn&) { return Reading{.end = {stop, "why"}}; }};
+    });
+  };
+  const Cell refused = CompareRow(row, {{ends_by(Stop::kRefused)}}).front();
+  EXPECT_EQ(refused.cases, 0U);
+  EXPECT_EQ(refused.refused, 9U);
+  EXPECT_EQ(refused.why, "why");
+  const Cell slow = CompareRow(row, {{ends_by(Stop::kTooSlow)}}).front();
+  EXPECT_EQ(slow.cases, 0U);
+  EXPECT_EQ(slow.excused, 4U);
 }
 
 TEST(Catalogue, AWorldIsExhaustedOrExcused) {

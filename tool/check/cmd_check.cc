@@ -290,7 +290,9 @@ void CheckGenerated(Crew& crew, const SubjectFactory& subject, const ResolvedChe
     const bool has_failed = result.outcome == Outcome::kViolated;
     if (!has_failed && props::IsPutToWidthInputs(property.name, own.Info())) {
       PropertyResult of_widths = run(&props::WidthInputs());
-      if (of_widths.outcome == Outcome::kViolated) result = std::move(of_widths);
+      if (of_widths.outcome == Outcome::kViolated ||
+          (of_widths.outcome == Outcome::kInconclusive && result.outcome == Outcome::kHolds))
+        result = std::move(of_widths);
     }
     Finding finding = FindingOf(own, std::move(result), options);
     finding.cases = std::move(cases);

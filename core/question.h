@@ -81,7 +81,7 @@ struct Answers {
   std::vector<double> interpolations;
   std::vector<std::array<double, 3>> distances;
   CallEnd end;  ///< why they end early, if they do
-  /// Index of the draw that ended them, where that is known.
+  /// Index of the draw that ended them among the check's own, where that is known.
   std::optional<std::size_t> stopped_at = std::nullopt;
 };
 

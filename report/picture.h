@@ -22,7 +22,7 @@ namespace rasterproof::report {
 
 /// What explain knows of a failing place. Exact numbers come as text: report computes nothing.
 struct Explanation {
-  Scene scene;  ///< window space (snapped, if the profile snaps)
+  Scene scene;  ///< window space (snapped, if the profile snaps), or homogeneous
   CoverageCounts expected;
   CoverageCounts observed;
   PixelRect view;    ///< the pixels to show

@@ -45,7 +45,9 @@ struct Arithmetic {
 /// tests the samples of the others with edge values. The rows are shared out among
 /// DrawOptions::threads workers, who take turns on one thread.
 ///
-/// Domain:     scenes in window space, or taken there. A triangle that is not finite is not drawn.
+/// Domain:     scenes in window space, or taken there; of others the arithmetic draws the whole
+///             scene, with the stages that have a meaning there (stages.h). A triangle that is not
+///             finite is not drawn.
 template <class Point>
 std::unique_ptr<Subject> MakeVariant(const SubjectInfo& info, Stages<Point> stages,
                                      const Arithmetic<Point>& arithmetic);

@@ -89,7 +89,9 @@ enum class TileTest : std::uint8_t { kOutside, kInside, kMixed };
 /// Of a triangle's vertices at a sample, as the scene lists them.
 using Weights = std::array<double, 3>;
 
-/// The stages in their order. An empty function leaves its stage sound.
+/// The stages, roughly in their order (`scene` goes before `options`). An empty function leaves its
+/// stage sound. A scene of clip space with w other than 1 has only model, options, clip, turns_over
+/// and after: the others are not asked.
 template <class Point>
 struct Stages {
   using Edge = variants::Edge<Point>;

@@ -33,8 +33,8 @@ struct Suspect {
 };
 
 /// Whether suspects are drawn stage by stage: samples are points, edges are not rounded where they
-/// cross rows, and the scene is in window space or taken there. Of others they have three stages:
-/// model, clip and options.
+/// cross rows, and the scene is in window space or taken there. Of others they have few stages
+/// (variants/stages.h).
 bool HasStages(const Scene& scene, const Profile& profile);
 
 /// The samples of the target times the triangles.

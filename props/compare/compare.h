@@ -82,7 +82,7 @@ struct Limits {
 };
 
 /// A cell for each yardstick. The row is given up after four cases that end the subject or take it
-/// too long: each costs a process or a time limit.
+/// too long, in its own draw or in a yardstick's: each costs a process or a time limit.
 std::vector<Cell> CompareRow(const Row& row, std::span<const Yardstick> yardsticks,
                              const Limits& limits = {});
 

@@ -13,7 +13,8 @@
 
 namespace rasterproof::props {
 
-/// A numbered set of cases that can be run to the end. There are two kinds:
+/// A numbered set of cases that can be run to the end. There are two kinds, beside
+/// `edge-widths` (width_inputs.h):
 ///
 /// All choices of the vertices of a shape among n x n points, half a pixel apart from the target's
 /// corner on: every second one along a row or a column is at the centre of a pixel. The

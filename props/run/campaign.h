@@ -29,10 +29,11 @@ namespace rasterproof::props {
 ///                and named in the message. Also if the subject can't be given the world.
 /// kInconclusive  a case was too slow to judge; the counterexample does not fail again, and then
 ///                the message has both answers; the subject refused more than kMostRefusedShare of
-///                the cases, or all that were drawn for one place (case_places.h); or the run was
-///                stopped. The message says which, and what was exercised so far.
+///                the cases, or all that were drawn for one place (case_places.h); nothing hard was
+///                reached, or the subject changed its front or its grid between cases (Conclude);
+///                or the run was stopped. The message says which, and what was exercised so far.
 ///
-/// Error:      JudgingFault.
+/// Error:      JudgingFault; SubjectDoesNotRun.
 PropertyResult RunCampaign(Subject& subject, const Property& property,
                            const CampaignOptions& options = {});
 
@@ -44,7 +45,8 @@ Case DrawCase(const SubjectInfo& info, const Property& property, std::uint64_t s
 
 /// Runs one property on one given case (replay, saved failures, worst-case files).
 ///
-/// Returns:    the verdict of TryCase(); a violation names the triangle that causes it.
+/// Returns:    the verdict of TryCase(); a violation names the triangle that causes it, where a
+///             single one is known to.
 Verdict RunCase(Subject& subject, const Property& property, const Case& c);
 
 }  // namespace rasterproof::props

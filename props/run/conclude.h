@@ -35,7 +35,8 @@ void AddCase(std::size_t place, const Case& c, const Verdict& verdict, PropertyR
 /// A run that ended in time is no pass if nothing was exercised, if a near-edge domain gave nothing
 /// near an edge, if 100 cases exercised the property and none reached what its domains can reach (a
 /// sample on an edge, either sign of area, a clip, the exact tier), if the subject refused too
-/// much, or if it took one side for the front in some cases and the other side in others.
+/// much, if it took one side for the front in some cases and the other side in others, or if no
+/// grid explains all its calls.
 /// Domain:     a result of the subject and the property, as NothingRun begins it.
 void Conclude(const SubjectInfo& info, const Property& property, PropertyResult& result);
 

@@ -40,7 +40,7 @@ struct Failure {
 
 /// Judges the case alone, shrinks it and runs the smallest one once more. The first and the last of
 /// these are drawn by a fresh subject if the options make one: what a subject remembers of other
-/// draws is company as well.
+/// draws is company as well. A case that hung is judged on the same subject, once.
 ///
 /// An evaluation gets one time limit in all, or what the pace leaves of it after a hang. That is no
 /// time to prove that a case hangs: shrinking ends after kMostHangs that took it, and what hung

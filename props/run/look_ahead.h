@@ -19,7 +19,8 @@ namespace rasterproof::props {
 /// Domain:     a property that asks, and whose draws may share calls; at least one case.
 /// Returns:    what came of the cases, in their order; fewer if the last one is violated or
 ///             inconclusive, or `stop`, which is asked before each, said so.
-/// Error:      JudgingFault, which names the first case where it is met in the draws of many.
+/// Error:      JudgingFault, which names the first case where it is met in the draws of many;
+///             SubjectDoesNotRun.
 std::vector<Trial> TryTogether(Subject& subject, const Property& property,
                                std::span<const Case> cases, const std::function<bool()>& stop = {});
 

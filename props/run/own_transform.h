@@ -49,7 +49,7 @@ class PlacesOfTransform {
 
   /// The scene with the vertices that the transform takes to where its own lie.
   ///
-  /// Returns:    nothing if a vertex has no such place, or the target is another one: `why`.
+  /// Returns:    nothing if a vertex has no such place, or the target is another one (WhyNot).
   std::optional<Scene> AsGiven(const Scene& window) const;
   /// Why AsGiven gave nothing for the scene.
   std::string WhyNot(const Scene& window) const;

@@ -31,7 +31,7 @@ struct Request {
 ///             in a check of kInOrderAlone.
 /// Returns:    the answers to each, in their order. What the subject's own calls throw is no error
 ///             but a stop. Fewer if it broke down: the last one says so.
-/// Error:      std::bad_alloc.
+/// Error:      std::bad_alloc; SubjectDoesNotRun.
 std::vector<Answers> Submit(Subject& subject, std::span<const Request> requests);
 
 }  // namespace rasterproof::props

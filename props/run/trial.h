@@ -38,7 +38,7 @@ enum class Blaming : std::uint8_t { kNobody, kWhoItWas };
 /// Returns:    what the property says; kRefused if the subject refused a scene of it, kViolated if
 ///             it broke down over one, kInconclusive if it took longer than it may, and
 ///             kNotApplicable if the gate says so, or the scene can't be put to the subject.
-/// Error:      JudgingFault.
+/// Error:      JudgingFault; SubjectDoesNotRun.
 Trial TryCase(Subject& subject, const Property& property, const Case& c,
               Blaming blaming = Blaming::kNobody);
 

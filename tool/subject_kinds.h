@@ -70,7 +70,7 @@ const SubjectKind* BuiltInKind(std::string_view name);
 /// The names of those built-in subjects that are listed.
 std::vector<std::string> BuiltInNames();
 
-/// How long and how large a subject outside may be. Set once, from the command line.
+/// How long and how large a subject outside may be. Set from the command line; bench sets its own.
 subjects::ProcessLimits& OutsideLimits();
 
 /// Makes a type of the user's own known by a name (kit/main.h).

@@ -54,8 +54,8 @@ std::string FiguresLine(std::string_view half, const Figures& f) {
   const auto& w = f.without;
   return fmt::format(
       "- {}: {} mutants with a suspect, {} named right, {} wrong, {} by a circumstance alone, {} "
-      "not "
-      "named; {} without one, {} rightly not named, {} by a circumstance alone, {} named wrong\n",
+      "not named; {} without one, {} rightly not named, {} by a circumstance alone, {} named "
+      "wrong\n",
       half, right + wrong + circumstance + none, right, wrong, circumstance, none,
       w[0] + w[1] + w[2] + w[3], w[3], w[2], w[0] + w[1]);
 }

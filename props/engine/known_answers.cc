@@ -62,7 +62,8 @@ std::optional<std::uint64_t> TakeNumber(std::string_view& bytes) {
 KnownAnswers::KnownAnswers(const SubjectInfo& info, RoundSize size, Spelling spelling)
     : info_(info), size_(size), spelling_(spelling ? std::move(spelling) : BytesOfJob) {}
 
-// Two hashes of one text: 128 bits, so that no two of some billions of jobs share an answer.
+// Two hashes of one text, begun in different states: as good as 128 bits, if they are independent,
+// which is supposed and not proved.
 KnownAnswers::Key KnownAnswers::KeyOf(const DrawJob& job) const {
   std::string text = spelling_(job);
   const std::uint64_t first = Fnv1a(text);

@@ -110,6 +110,21 @@ class OutcomeReader {
   bool is_good_ = true;
 };
 
+// Whether each output that is there has a value for every sample; a draw that ended has none.
+bool HasItsShape(const Drawing& drawing) {
+  const CoverageCounts& counts = drawing.counts;
+  const std::uint64_t pixels =
+      static_cast<std::uint64_t>(counts.width) * static_cast<std::uint64_t>(counts.height);
+  if (pixels > std::uint64_t{kMaxTargetSamples}) return false;
+  const std::uint64_t samples = pixels * static_cast<std::uint64_t>(counts.samples);
+  const auto fits = [samples](const auto& values) {
+    return values.empty() || values.size() == samples;
+  };
+  return counts.front.size() == samples && counts.back.size() == samples &&
+         fits(drawing.primitive_ids) && fits(drawing.barycentrics) && fits(drawing.depths) &&
+         fits(drawing.centroids);
+}
+
 }  // namespace
 
 std::string OutcomeBytes(const DrawOutcome& outcome) {
@@ -144,7 +159,8 @@ std::optional<DrawOutcome> ReadOutcome(std::string_view bytes) {
   in.Raw(drawing.barycentrics);
   in.Raw(drawing.depths);
   in.Raw(drawing.centroids);
-  return in.IsAtEnd() ? std::optional(std::move(outcome)) : std::nullopt;
+  const bool is_one = in.IsAtEnd() && HasItsShape(drawing);
+  return is_one ? std::optional(std::move(outcome)) : std::nullopt;
 }
 
 }  // namespace rasterproof::props

@@ -65,7 +65,7 @@ PAIRS = [
     "race ties-inclusive", "budget-of-a-tile floors",
 ]  # fmt: skip
 # A few of all kinds, where every test runs.
-FEW = ["int32-all", "lost-between-corners", "garbage", "truncates ties-exclusive"]
+FEW = ["int32-all", "lost-between-corners", "draws-nothing", "garbage", "truncates ties-exclusive"]
 
 
 def names(fault):

@@ -169,6 +169,21 @@ TEST(PulledEngine, GoesOnFromWhatItSaved) {
   EXPECT_EQ(engine->save(), saved);
 }
 
+TEST(PulledEngine, TakesNoAnswerOfAnotherShape) {
+  DrawOutcome outcome;
+  outcome.drawing.counts = CoverageCounts(4, 3, 2);
+  outcome.drawing.depths.resize(24);
+  ASSERT_TRUE(ReadOutcome(OutcomeBytes(outcome)));
+  EXPECT_EQ(ReadOutcome(OutcomeBytes(outcome))->drawing.counts.size(), 24U);
+  for (int* const side : {&outcome.drawing.counts.width, &outcome.drawing.counts.samples}) {
+    ++*side;
+    EXPECT_FALSE(ReadOutcome(OutcomeBytes(outcome)));
+    --*side;
+  }
+  outcome.drawing.depths.pop_back();
+  EXPECT_FALSE(ReadOutcome(OutcomeBytes(outcome)));
+}
+
 TEST(PulledEngine, ShrinksAsReplayDoes) {
   AtAFarEnd far("mutant:ties-inclusive");
   const Property& property = Named("CoverageEqualsTheModel");

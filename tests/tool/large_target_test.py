@@ -99,6 +99,22 @@ class WidthInputs(unittest.TestCase):
         held = check("--subject", "legal:width-values-34", "--property", MODEL, "--cases", "1")
         self.assertEqual(held.returncode, 0, held.stdout + held.stderr)
 
+    def test_that_were_not_judged_are_not_held(self):
+        with open(os.path.join(SOURCES, "kit", "examples", "console.c"), encoding="utf-8") as file:
+            console = file.read()
+        with tempfile.TemporaryDirectory() as folder:
+            for most, status in ((4096, 0), (500, 4)):  # the inputs' target is wider than 500
+                source, plugin = (os.path.join(folder, f"{most}.{end}") for end in ("c", "so"))
+                with open(source, "w", encoding="utf-8") as file:
+                    file.write(console.replace(
+                        "  (void)state;\n", f"  if (scene->width > {most}) return 1;\n"
+                        "  (void)state;\n"))  # fmt: skip
+                subprocess.run(["cc", "-std=c11", "-O2", "-shared", "-fPIC", f"-I{SOURCES}", source,
+                                "-o", plugin], check=True)  # fmt: skip
+                done = check("--plugin", plugin, "--property", MODEL, "--cases", "20")
+                self.assertEqual(done.returncode, status, done.stdout + done.stderr)
+        self.assertIn("refuses", done.stdout)
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -59,7 +59,7 @@ ComparisonTable ReadHead(const JsonValue& root) {
   const JsonValue version = root.Get("rasterproof_comparison");
   if (version.RequireInteger(0, INT32_MAX) != 1) {
     throw version.Error("version " + std::string(version.text()) + " is unknown",
-                        "this program reads version 1: survey again by rasterproof survey");
+                        "this program reads version 1: run rasterproof survey again");
   }
   ComparisonTable table;
   table.what = Word(root, "what");
@@ -101,11 +101,12 @@ void AddSurvey(const std::string& path, ComparisonTable& table) {
   ComparisonTable head = ReadHead(document.root());
   if (table.subjects.empty()) {
     table = std::move(head);
-  } else if (head.yardsticks != table.yardsticks ||
+  } else if (head.yardsticks != table.yardsticks || head.seed != table.seed ||
+             head.cases != table.cases ||
              !std::ranges::equal(head.rows, table.rows, {}, &ComparedRow::name,
                                  &ComparedRow::name)) {
-    throw InputError(path, "its rows or yardsticks are not those of the other files",
-                     "survey again by rasterproof survey");
+    throw InputError(path, "its rows, yardsticks, seed or cases are not those of the other files",
+                     "run rasterproof survey again, with the same --seed and --cases");
   }
   for (const JsonValue subject : document.root().Get("subjects").RequireArray()) {
     table.subjects.push_back(ReadSubject(subject, table));

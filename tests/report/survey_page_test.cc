@@ -92,8 +92,13 @@ TEST_F(SurveySectionTest, RefusesWhatIsNoSurvey) {
         Changed("\"wrong\": 25", "\"wrong\": -1"), Changed("\"gaps\"],", "\"holes\"],")}) {
     EXPECT_THROW(Of(other), InputError) << other;
   }
-  Put("b.json", Changed("\"near-edge\", \"summary\"", "\"grids\", \"summary\""));
-  EXPECT_THROW(Of(kSurvey), InputError);
+  // The page states one list of rows, one seed, one number of cases.
+  for (const std::string& other :
+       {Changed("\"near-edge\", \"summary\"", "\"grids\", \"summary\""),
+        Changed("\"seed\": 7", "\"seed\": 8"), Changed("\"cases\": ", "\"cases\": 1")}) {
+    Put("b.json", other);
+    EXPECT_THROW(Of(kSurvey), InputError) << other;
+  }
 }
 
 }  // namespace

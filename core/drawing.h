@@ -25,10 +25,12 @@ struct Outputs {
   bool depths = true;
   /// Drawing::centroids, which subjects compute only on request.
   bool centroids = false;
+  bool values = false;       ///< Drawing::values of the scene's channels
+  bool derivatives = false;  ///< Drawing::derivatives of these values
 
   friend bool operator==(const Outputs&, const Outputs&) = default;
 };
-/// All outputs but the centroids.
+/// All outputs but centroids, values and derivatives, which cost what nobody looks at.
 inline constexpr Outputs kEverything{};
 inline constexpr Outputs kCoverageAndPrimitiveIds{
     .primitive_ids = true, .barycentrics = false, .depths = false};
@@ -87,6 +89,12 @@ struct Drawing {
   /// The visible triangle's barycentric coordinates where attributes asked for at the centroid of
   /// its fragment in this pixel are evaluated; anything where none is visible.
   std::vector<std::array<double, 3>> centroids;
+  /// The visible triangle's values: of each sample one for each channel of the scene, in their
+  /// order; anything where none is visible.
+  std::vector<double> values;
+  /// Of each of these values its derivatives by x and by y, per pixel, y growing as the profile
+  /// says.
+  std::vector<std::array<double, 2>> derivatives;
 };
 
 /// The drawing of one job, or the reason that there is none.

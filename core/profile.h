@@ -19,6 +19,7 @@
 #include "core/square_rule.h"
 #include "core/tie_rule.h"
 #include "core/transform.h"
+#include "core/value_rule.h"
 
 namespace rasterproof {
 
@@ -193,6 +194,7 @@ struct Profile {
 
   /// The statement of the contract `squares` about whole pixels. Nothing: samples are points.
   std::optional<SquareRule> squares;
+  ValueRule values;  ///< the statement about what a covered sample holds
 
   friend bool operator==(const Profile&, const Profile&) = default;
 };

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/channel.h"
 #include "core/vertex.h"
 
 namespace rasterproof {
@@ -34,6 +35,9 @@ struct Scene {
   bool clip_space = false;
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
+  /// What is interpolated, for subjects that show values. A draw that does not ask for values may
+  /// have lists of another length than `vertices`.
+  std::vector<Channel> channels = {};
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };

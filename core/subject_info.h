@@ -39,6 +39,9 @@ struct FragmentInfo {
   double depth_error = 0;
   /// Whether it shows barycentrics at centroids too, with the same largest error.
   bool shows_centroids = false;
+  /// Whether it shows the values of a scene's channels, and their derivatives.
+  bool shows_values = false;
+  bool shows_derivatives = false;
 };
 
 /// A subject's statements about the edge values that it shows.

@@ -26,6 +26,7 @@
 #include "io/scene_json.h"
 #include "io/specification_json.h"
 #include "io/square_json.h"
+#include "io/value_json.h"
 
 namespace rasterproof::io {
 namespace {
@@ -311,6 +312,7 @@ constexpr auto kKeyFormats = std::to_array<KeyFormat>({
         "scanline_rounding"),
     Value<TransformFromJson, WriteTransform, &Profile::transform>("transform"),
     Value<SquareRuleFromJson, WriteSquareRule, &Profile::squares>("coverage"),
+    Value<ValueRuleFromJson, WriteValueRule, &Profile::values>("values"),
     Value<TargetsFromJson, WriteTargets, &Profile::by_target_size>("by_target_size"),
 });
 constexpr bool HasFormat(const ProfileKey& key) { return key.member.word == nullptr; }

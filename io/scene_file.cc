@@ -15,13 +15,15 @@
 #include "io/number_text.h"
 #include "io/output.h"
 #include "io/scene_json.h"
+#include "io/value_json.h"
 
 namespace rasterproof::io {
 namespace {
 
 constexpr int kSceneVersion = 1;
-constexpr std::array<std::string_view, 7> kKeys{
-    "rasterproof_scene", "name", "width", "height", "precision", "vertices", "triangles"};
+constexpr std::array<std::string_view, 8> kKeys{
+    "rasterproof_scene", "name",     "width",     "height",
+    "precision",         "vertices", "triangles", "channels"};
 
 void RequireSceneVersion(const JsonValue& object) {
   if (!object.Find("rasterproof_scene")) {
@@ -152,6 +154,8 @@ Scene SceneFromJson(const JsonValue& object) {
   }
   ReadVertices(object.Get("vertices"), scene);
   ReadTriangles(object.Get("triangles"), scene);
+  if (const auto channels = object.Find("channels"))
+    scene.channels = ChannelsFromJson(*channels, scene.vertices.size(), scene.precision);
   return scene;
 }
 
@@ -166,7 +170,12 @@ void WriteScene(JsonWriter& json, const Scene& scene) {
   for (const Triangle& t : scene.triangles) {
     json.BeginArray(kOneLine).Integer(t[0]).Integer(t[1]).Integer(t[2]).EndArray();
   }
-  json.EndArray().EndObject();
+  json.EndArray();
+  if (!scene.channels.empty()) {
+    json.Key("channels");
+    WriteChannels(json, scene.channels);
+  }
+  json.EndObject();
 }
 
 Scene ParseScene(std::string_view text, const std::string& place) {

@@ -69,16 +69,45 @@ enum rasterproof_input {
 #define RASTERPROOF_SHOWS_CENTROIDS 128u
 /* Another processor draws: only elapsed time measures it. */
 #define RASTERPROOF_DRAWS_ELSEWHERE 256u
+/* rasterproof_scene.channels are read, and rasterproof_target.values, and with the second bit
+ * derivatives too, are written where they are not NULL. For FRAGMENTS. */
+#define RASTERPROOF_SHOWS_VALUES 512u
+#define RASTERPROOF_SHOWS_DERIVATIVES 1024u
 
 /* Requested outputs in addition to primitive ids, as bits of rasterproof_target.wants. */
 #define RASTERPROOF_WANTS_BARYCENTRICS 1u
 #define RASTERPROOF_WANTS_DEPTHS 2u
+#define RASTERPROOF_WANTS_VALUES 4u
+#define RASTERPROOF_WANTS_DERIVATIVES 8u
 
 enum rasterproof_cull {
   RASTERPROOF_CULL_NONE = 0,
   RASTERPROOF_CULL_FRONT = 1,
   RASTERPROOF_CULL_BACK = 2
 };
+
+/* How the numbers at a triangle's vertices become one at a point. */
+enum rasterproof_interpolation {
+  RASTERPROOF_FLAT = 0,        /* the provoking vertex's number */
+  RASTERPROOF_LINEAR = 1,      /* affine on the screen (noperspective) */
+  RASTERPROOF_PERSPECTIVE = 2, /* affine before the division by w */
+  RASTERPROOF_INVERSE_W = 3    /* 1/w at the point; there are no numbers at the vertices */
+};
+
+/* Where in its pixel a value is evaluated: at each covered sample, at the pixel's centre, or at the
+ * centroid that the profile states. */
+enum rasterproof_at {
+  RASTERPROOF_AT_SAMPLE = 0,
+  RASTERPROOF_AT_CENTRE = 1,
+  RASTERPROOF_AT_CENTROID = 2
+};
+
+typedef struct rasterproof_channel {
+  const char* name;
+  int32_t interpolation; /* enum rasterproof_interpolation */
+  int32_t at;            /* enum rasterproof_at */
+  const double* values;  /* one a vertex; floats exactly, unless the input is FLOAT64 */
+} rasterproof_channel;
 
 /* A mesh to draw. Window space: pixels, x right, y down (unless the profile says up), pixel (i, j)
  * has its centre at (i + 1/2, j + 1/2). Clip space: x and y are scaled to the viewport already
@@ -99,6 +128,10 @@ typedef struct rasterproof_scene {
   /* Where the input is FIXED: 2 a vertex, x and y in units of 2^-fixed_fraction_bits; not wrapped.
    * Else NULL. The vertices hold the same places. */
   const int64_t* fixed;
+  /* What to interpolate; none unless values are wanted. Where `size` ends before them, there are
+   * none. */
+  const rasterproof_channel* channels;
+  size_t channel_count;
 } rasterproof_scene;
 
 /* Where the answer goes: row-major, top row first, `samples` entries a pixel. Add to the counts
@@ -124,6 +157,12 @@ typedef struct rasterproof_target {
    * of the visible triangle where attributes asked for at the centroid of its fragment in this
    * pixel are evaluated. Where `size` ends before it, it is not there. */
   double* centroids;
+  /* NULL unless the library shows values and they are wanted. Entry channel_count k + c is channel
+   * c of the visible triangle at sample k; rows are channel_count * stride apart. */
+  double* values;
+  /* Likewise, two for each value: its derivatives by x and by y, in the window's axes, a pixel
+   * being 1. */
+  double* derivatives;
 } rasterproof_target;
 
 /* Steps along a row (along_y 0) or a column (1): `steps` steps of `length` pixels, forward (sign

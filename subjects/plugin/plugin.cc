@@ -56,8 +56,12 @@ SubjectInfo InfoOf(const rasterproof_plugin& plugin, const std::string& path) {
   info.takes_batches = plugin.draw_many != nullptr;
   info.draws_elsewhere = Has(plugin, RASTERPROOF_DRAWS_ELSEWHERE);
   info.fragments = {static_cast<Visible>(plugin.visible),
-                    static_cast<BarycentricsOf>(plugin.barycentrics_of), plugin.barycentric_error,
-                    plugin.depth_error, Has(plugin, RASTERPROOF_SHOWS_CENTROIDS)};
+                    static_cast<BarycentricsOf>(plugin.barycentrics_of),
+                    plugin.barycentric_error,
+                    plugin.depth_error,
+                    Has(plugin, RASTERPROOF_SHOWS_CENTROIDS),
+                    Has(plugin, RASTERPROOF_SHOWS_VALUES),
+                    Has(plugin, RASTERPROOF_SHOWS_DERIVATIVES)};
   const auto property = [](double error) {
     return error < 0 ? std::nullopt : std::optional(error);
   };
@@ -100,6 +104,12 @@ class PluginScene {
     for (const Triangle& t : job.Triangles())
       triangles_.insert(triangles_.end(), t.begin(), t.end());
     const PixelRect cut = options.scissor.value_or(PixelRect{0, 0, scene.width, scene.height});
+    if (job.wants.values) {
+      for (const Channel& channel : scene.channels) {
+        channels_.push_back({channel.name.c_str(), static_cast<std::int32_t>(channel.interpolation),
+                             static_cast<std::int32_t>(channel.at), channel.values.data()});
+      }
+    }
     view_ = {.size = sizeof(rasterproof_scene),
              .width = scene.width,
              .height = scene.height,
@@ -112,7 +122,9 @@ class PluginScene {
              .scissor = {cut.x0, cut.y0, cut.x1, cut.y1},
              .tile = options.tile,
              .threads = options.threads,
-             .fixed = vertices_->fixed.empty() ? nullptr : vertices_->fixed.data()};
+             .fixed = vertices_->fixed.empty() ? nullptr : vertices_->fixed.data(),
+             .channels = channels_.data(),
+             .channel_count = channels_.size()};
   }
   const rasterproof_scene& view() const { return view_; }
   std::vector<std::int32_t> TakeIndices() { return std::move(triangles_); }
@@ -120,6 +132,7 @@ class PluginScene {
  private:
   std::shared_ptr<const PluginVertices> vertices_;
   std::vector<std::int32_t> triangles_;
+  std::vector<rasterproof_channel> channels_;
   rasterproof_scene view_{};
 };
 
@@ -152,6 +165,12 @@ class PluginTarget {
       centroids_.emplace(columns, rows_, 3 * kWordsOfADouble);
     }
     wants_ = job.wants;
+    const std::size_t channels = job.scene->channels.size();
+    if (info.fragments.shows_values && job.wants.values && channels != 0) {
+      values_.emplace(columns, rows_, channels * kWordsOfADouble);
+      if (info.fragments.shows_derivatives && job.wants.derivatives)
+        derivatives_.emplace(columns, rows_, 2 * channels * kWordsOfADouble);
+    }
     view_ = {.size = sizeof(rasterproof_target),
              .samples = job.samples,
              .stride = shape.stride(),
@@ -161,8 +180,12 @@ class PluginTarget {
              .barycentrics = DataOf<double>(barycentrics_),
              .depths = DataOf<double>(depths_),
              .wants = (job.wants.barycentrics ? RASTERPROOF_WANTS_BARYCENTRICS : 0U) |
-                      (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U),
-             .centroids = DataOf<double>(centroids_)};
+                      (job.wants.depths ? RASTERPROOF_WANTS_DEPTHS : 0U) |
+                      (values_ ? RASTERPROOF_WANTS_VALUES : 0U) |
+                      (derivatives_ ? RASTERPROOF_WANTS_DERIVATIVES : 0U),
+             .centroids = DataOf<double>(centroids_),
+             .values = DataOf<double>(values_),
+             .derivatives = DataOf<double>(derivatives_)};
   }
   const rasterproof_target& view() const { return view_; }
 
@@ -172,8 +195,8 @@ class PluginTarget {
   /// Domain:     once.
   /// Error:      SubjectStop if anything was written outside the target.
   Drawing Drawn() {
-    for (const auto* part :
-         {&front_, &back_, &primitive_ids_, &barycentrics_, &depths_, &centroids_}) {
+    for (const auto* part : {&front_, &back_, &primitive_ids_, &barycentrics_, &depths_,
+                             &centroids_, &values_, &derivatives_}) {
       const std::string damage = *part ? (*part)->Damage() : "";
       if (!damage.empty()) BreakDown("it wrote outside its target: " + damage);
     }
@@ -183,6 +206,8 @@ class PluginTarget {
     if (wants_.barycentrics) TakeRows(barycentrics_, drawing_.barycentrics);
     if (wants_.depths) TakeRows(depths_, drawing_.depths);
     TakeRows(centroids_, drawing_.centroids);
+    TakeRows(values_, drawing_.values);
+    TakeRows(derivatives_, drawing_.derivatives);
     drawing_.counts.front.resize(size_);
     drawing_.counts.back.resize(size_);
     for (std::size_t k = 0; k < drawing_.primitive_ids.size(); ++k) {
@@ -202,10 +227,10 @@ class PluginTarget {
   template <class T>
   void TakeRows(Part& part, std::vector<T>& to) {
     if (!part) return;
-    to.resize(size_);
+    to.resize(part->Row(0).size_bytes() / sizeof(T) * rows_);
     for (std::size_t row = 0; row < rows_; ++row) {
       const std::span<const std::uint32_t> from = part->Row(row);
-      std::memcpy(to.data() + row * (size_ / rows_), from.data(), from.size_bytes());
+      std::memcpy(to.data() + row * (to.size() / rows_), from.data(), from.size_bytes());
     }
     part.reset();
   }
@@ -220,6 +245,8 @@ class PluginTarget {
   Part barycentrics_;
   Part depths_;
   Part centroids_;
+  Part values_;
+  Part derivatives_;
   rasterproof_target view_{};
 };
 
@@ -446,6 +473,12 @@ rasterproof_plugin Described(const rasterproof_plugin* plugin, const std::string
   require((described.takes & RASTERPROOF_SHOWS_CENTROIDS) == 0 ||
               described.coverage == RASTERPROOF_FRAGMENTS,
           "it shows centroids without fragments", "set coverage to RASTERPROOF_FRAGMENTS");
+  require((described.takes & (RASTERPROOF_SHOWS_VALUES | RASTERPROOF_SHOWS_DERIVATIVES)) == 0 ||
+              described.coverage == RASTERPROOF_FRAGMENTS,
+          "it shows values without fragments", "set coverage to RASTERPROOF_FRAGMENTS");
+  require((described.takes & RASTERPROOF_SHOWS_DERIVATIVES) == 0 ||
+              (described.takes & RASTERPROOF_SHOWS_VALUES) != 0,
+          "it shows derivatives without values", "set RASTERPROOF_SHOWS_VALUES too");
   const auto require_error = [&](const char* what, double error) {
     require(std::isfinite(error) && error >= 0,
             std::string("its ") + what + " is " + std::to_string(error),

@@ -15,6 +15,7 @@
 
 #include "props/cause/investigation.h"
 #include "props/cause/suspect.h"
+#include "props/cause/value_mistakes.h"
 
 namespace rasterproof::props {
 namespace {
@@ -277,6 +278,13 @@ void Investigation::FindRest() {
       cause.kind = CauseKind::kCircumstance;
       cause.name = "float-mode";
       cause.what = {"in the usual floating-point mode"};
+    } else if (ValueMistake mistake =
+                   FindValueMistake(*subject_, failures_[k], kGatheringShare * seconds_);
+               !mistake.name.empty()) {
+      cause.kind = CauseKind::kMistake;
+      cause.name = std::move(mistake.name);
+      cause.what = std::move(mistake.what);
+      cause.reproduced = cause.draws = mistake.numbers;
     } else if (AsksForValues(*subject_, failures_[k])) {
       cause.kind = CauseKind::kShownValues;
       cause.name = "shown-values";

@@ -21,6 +21,7 @@ enum class CauseKind : std::uint8_t {
   kPart,          ///< one of several that together reproduce every draw of the evidence
   kNothingDrawn,  ///< no draw covers anything, where some should
   kCircumstance,  ///< the failing draws are right once one thing about them is changed
+  kMistake,       ///< a mistake gives every number that is shown beside coverage
   kShownValues,   ///< every draw is as stated: what fails is in the values that are shown
   kUnexplained    ///< no suspect, or too few draws to name one
 };
@@ -31,7 +32,7 @@ struct Cause {
   std::string name;                     ///< its section of docs/causes.md; "" if unexplained
   std::vector<std::string> what;        ///< one, or several that no draw tells apart
   std::vector<std::size_t> properties;  ///< by their places in what was asked
-  std::size_t reproduced = 0;           ///< draws of `draws` that it reproduces
+  std::size_t reproduced = 0;  ///< draws of `draws` that it reproduces; of kMistake, numbers
   std::size_t draws = 0;
   std::size_t together = 0;  ///< if not 0, so many suspects at once reproduce them
   /// The different scenes, drawn otherwise than the stated model, that a suspect was named by.

@@ -57,6 +57,12 @@ Wanted WantedBy(Shows shows) {
                        d.info.fragments.shows_centroids;
               },
               "the subject shows no centroids", "the subject shows barycentrics at centroids"};
+    case Shows::kValues:
+      return {[](const D& d) { return d.info.fragments.shows_values; },
+              "the subject shows no values", "the subject shows values"};
+    case Shows::kDerivatives:
+      return {[](const D& d) { return d.info.fragments.shows_derivatives; },
+              "the subject shows no derivatives", "the subject shows derivatives of values"};
     case Shows::kPrimitiveIds:
       return {[](const D& d) { return ShowsPrimitiveIds(d.info); },
               "the subject does not show primitive ids", "the subject shows primitive ids"};

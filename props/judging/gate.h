@@ -34,9 +34,11 @@ enum class Shows : std::uint8_t {
   kEdgeValues,
   kSteps,
   kBarycentrics,
-  kFragments,  ///< barycentrics, of vertices that are given, or that the profile places
-  kDepths,     ///< of such fragments
-  kCentroids,  ///< of such fragments
+  kFragments,    ///< barycentrics, of vertices that are given, or that the profile places
+  kDepths,       ///< of such fragments
+  kCentroids,    ///< of such fragments
+  kValues,       ///< of channels
+  kDerivatives,  ///< of values
   kPrimitiveIds,
   kTiles,
   kThreads,

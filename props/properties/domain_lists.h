@@ -62,6 +62,21 @@ inline constexpr auto kCentroids =
     Both(kBarycentrics,
          std::to_array<std::string_view>({"sub-pixel-triangles", "rows-and-columns", "fans"}));
 
+// Clip space as values see it: in front of the eye, beside it, and around it.
+inline constexpr auto kClipValues =
+    std::to_array<std::string_view>({"perspective", "perspective-meshes", "cameras", "mixed-w",
+                                     "one-vertex-behind", "meshes-around-eye"});
+
+// What interpolation can get wrong, in window and clip space.
+inline constexpr auto kValueDomains = Both(kFragments, kClipValues);
+
+// Samples at vertices, and on edges.
+inline constexpr auto kVertexValueDomains = std::to_array<std::string_view>(
+    {"vertices-on-samples", "fans", "grids", "axis-aligned", "perspective-meshes", "perspective"});
+inline constexpr auto kEdgeValueDomains = std::to_array<std::string_view>(
+    {"edges-through-samples", "axis-aligned", "vertices-on-samples", "shared-edge", "grids",
+     "rows-and-columns", "perspective-meshes"});
+
 // Everything in window space that a single draw can get wrong.
 inline constexpr auto kCoverage = std::to_array<std::string_view>({"near-edge",
                                                                    "edges-through-samples",

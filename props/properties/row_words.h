@@ -20,9 +20,17 @@ inline constexpr Gate kAsksDepths{.shows = Shows::kDepths,
                                   .any_owners = true,
                                   .unwrapped = true};
 
+inline constexpr Gate kAsksValues{.space = Space::kEither,
+                                  .shows = Shows::kValues,
+                                  .contract = ContractNeeded::kNone,
+                                  .any_owners = true,
+                                  .unwrapped = true};
+
 // Where: see Gate.
 inline constexpr std::string_view kAreaNotZero = "area not zero";
 inline constexpr std::string_view kInTheTriangle = "area not zero; samples in the closed triangle";
+inline constexpr std::string_view kTellsMistakes =
+    "area not zero; exchanged vertices, or the other plane, would give another number";
 inline constexpr std::string_view kTwoTriangles = "two triangles or more";
 
 // Tolerances.
@@ -30,6 +38,8 @@ inline constexpr std::string_view kDepthTolerance =
     "the stated depth error; none stated: the barycentrics' tolerances and 6 u, times the "
     "vertices' "
     "depths";
+inline constexpr std::string_view kValueTolerance =
+    "the stated error; none stated: 16 u times the condition, where every w is 2^-30 to 2^30";
 inline constexpr std::string_view kBothBounds = "the sum of both proven ErrorBounds";
 inline constexpr std::string_view kOwnBound =
     "the subject's proven ErrorBound; where that is 0, none: exact";

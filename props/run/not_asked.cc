@@ -21,15 +21,17 @@ struct Output {
   bool is_drawn = true;  ///< else asked by its points, which belong to no scene
 };
 
-constexpr std::array<Output, 9> kOutputs{{{Shows::kCoverage, "coverage"},
-                                          {Shows::kFacings, "facings"},
-                                          {Shows::kPrimitiveIds, "primitive ids"},
-                                          {Shows::kFragments, "barycentrics"},
-                                          {Shows::kDepths, "depths"},
-                                          {Shows::kCentroids, "centroids"},
-                                          {Shows::kEdgeValues, "edge values", false},
-                                          {Shows::kSteps, "steps of edge values", false},
-                                          {Shows::kBarycentrics, "barycentrics by form", false}}};
+constexpr std::array<Output, 11> kOutputs{{{Shows::kCoverage, "coverage"},
+                                           {Shows::kFacings, "facings"},
+                                           {Shows::kPrimitiveIds, "primitive ids"},
+                                           {Shows::kFragments, "barycentrics"},
+                                           {Shows::kDepths, "depths"},
+                                           {Shows::kCentroids, "centroids"},
+                                           {Shows::kValues, "values"},
+                                           {Shows::kDerivatives, "derivatives"},
+                                           {Shows::kEdgeValues, "edge values", false},
+                                           {Shows::kSteps, "steps of edge values", false},
+                                           {Shows::kBarycentrics, "barycentrics by form", false}}};
 
 bool IsOutput(Shows shows) { return std::ranges::count(kOutputs, shows, &Output::shows) != 0; }
 

@@ -46,6 +46,9 @@ std::string Found(const Cause& cause, const props::Causes& causes) {
     case CauseKind::kCircumstance:
       return fmt::format("no suspect explains it; what is drawn wrong is right {}",
                          cause.what.front());
+    case CauseKind::kMistake:
+      return fmt::format("your numbers equal those of {} ({} of {} numbers)", Suspected(cause),
+                         cause.reproduced, cause.draws);
     case CauseKind::kShownValues:
       return fmt::format("{}the fault is in values shown beside coverage: {}",
                          causes.wrong == 0 ? fmt::format("all {} are as stated; ",

@@ -1,0 +1,128 @@
+#include "props/judging/values/derivative_queries.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/value_rule.h"
+#include "props/judging/values/exact_comparison.h"
+#include "props/judging/witness.h"
+
+namespace rasterproof::props {
+namespace {
+
+// One number that the derivative may be: of the plane at a point, or a difference of two values.
+struct Candidate {
+  double number = 0;
+  double tolerance = 0;
+  double margin = 0;
+  std::array<Point2, 2> ends{};  // equal: of the plane
+};
+
+bool Lets(DerivativesBy stated, DerivativesBy by) {
+  return stated == by || stated == DerivativesBy::kUnstated ||
+         (stated == DerivativesBy::kCoarse && by == DerivativesBy::kFine);
+}
+
+Point2 Moved(Point2 p, int axis, double by) {
+  return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
+}
+
+// The ends of the differences that may be meant. The y axis may grow either way: a difference to
+// the next row and one from the row before are both among them.
+std::vector<std::array<Point2, 2>> EndsOf(const ShownValues& shown, Point2 p, int axis) {
+  const DerivativesBy stated = shown.rule.derivatives;
+  std::vector<std::array<Point2, 2>> ends;
+  if (Lets(stated, DerivativesBy::kAnalytic)) ends.push_back({p, p});
+  for (const int across : {0, -1, 1}) {
+    const bool lets = Lets(stated, across == 0 ? DerivativesBy::kFine : DerivativesBy::kCoarse);
+    if (!lets) continue;
+    const Point2 from = Moved(p, 1 - axis, across);
+    ends.push_back({from, Moved(from, axis, 1)});
+    ends.push_back({Moved(from, axis, -1), from});
+  }
+  return ends;
+}
+
+std::optional<Candidate> CandidateOf(const ShownValues& shown, const ValueFragment& f,
+                                     const RayCorners& v, const Channel& channel,
+                                     const std::array<Point2, 2>& ends, int axis) {
+  const std::array<double, 3> a = NumbersAt(f, channel);
+  const auto k = static_cast<std::size_t>(axis);
+  Candidate candidate;
+  candidate.ends = ends;
+  double condition = 0;
+  if (ends[0] == ends[1]) {
+    const ValueEstimate e = EstimateValue(v, channel.interpolation, a, ends[0]);
+    candidate.number = e.derivatives[k];
+    condition = e.derivative_conditions[k];
+  } else {
+    const ValueEstimate from = EstimateValue(v, channel.interpolation, a, ends[0]);
+    const ValueEstimate to = EstimateValue(v, channel.interpolation, a, ends[1]);
+    if (from.denominator * to.denominator < 0) return std::nullopt;  // the horizon lies between
+    candidate.number = to.value - from.value;
+    condition = from.condition + to.condition;
+  }
+  const std::optional<double> tolerance =
+      DerivativeTolerance(shown, f, v, channel, ends[0], candidate.number, condition);
+  if (!tolerance) return std::nullopt;
+  candidate.tolerance = *tolerance;
+  candidate.margin = kEstimateError * condition;
+  return candidate;
+}
+
+std::optional<exact::Rational> ExactOf(const Candidate& candidate, const ValueFragment& f,
+                                       const ValueOwners& owners, const Channel& channel,
+                                       int axis) {
+  const exact::Attribute a = exact::ToAttribute(NumbersAt(f, channel));
+  const auto& [from, to] = candidate.ends;
+  const exact::Interpolant here(*owners.known, from);
+  if (from == to) {
+    const auto plane = here.Derivatives(channel.interpolation, a);
+    if (!plane) return std::nullopt;
+    return axis == 0 ? plane->dx : plane->dy;
+  }
+  const auto first = here.Value(channel.interpolation, a);
+  const auto last = exact::Interpolant(*owners.known, to).Value(channel.interpolation, a);
+  if (!first || !last) return std::nullopt;
+  return *last - *first;
+}
+
+}  // namespace
+
+DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f,
+                                const ValueOwners& owners, const Channel& channel, int axis,
+                                double x) {
+  DerivativeCheck check;
+  if (!owners.known || f.reach != 0) return check;
+  const RayCorners& v = owners.corners.front();
+  std::vector<Candidate> candidates;
+  for (const auto& ends : EndsOf(shown, PlaceOfValue(f, channel), axis)) {
+    const auto candidate = CandidateOf(shown, f, v, channel, ends, axis);
+    if (!candidate) return check;  // what it may be is not known
+    candidates.push_back(*candidate);
+  }
+  const auto may_be = [&](double number, double sign) {
+    return std::ranges::any_of(candidates, [&](const Candidate& c) {
+      return std::fabs(number - c.number) <= c.tolerance + sign * c.margin;
+    });
+  };
+  check.is_judged = true;
+  const Candidate& first = candidates.front();
+  check.tells = !may_be(-first.number, 1) && !may_be(2 * first.number, 1);
+  check.expected = {first.number, " within ", first.tolerance};
+  if (may_be(x, -1)) return check;
+  check.holds = false;
+  if (!may_be(x, 1)) return check;
+  for (const Candidate& candidate : candidates) {
+    const auto number = ExactOf(candidate, f, owners, channel, axis);
+    if (!number) return {};
+    if (CompareWithExact(x, *number, candidate.tolerance).within) check.holds = true;
+  }
+  return check;
+}
+
+}  // namespace rasterproof::props

@@ -1,0 +1,39 @@
+// What the derivatives of a value may be.
+#ifndef RASTERPROOF_PROPS_JUDGING_VALUES_DERIVATIVE_QUERIES_H_
+#define RASTERPROOF_PROPS_JUDGING_VALUES_DERIVATIVE_QUERIES_H_
+
+#include "core/channel.h"
+#include "core/verdict.h"
+#include "props/judging/values/value_queries.h"
+
+namespace rasterproof::props {
+
+inline constexpr Outputs kValuesAndDerivatives{.primitive_ids = true,
+                                               .barycentrics = false,
+                                               .depths = false,
+                                               .centroids = false,
+                                               .values = true,
+                                               .derivatives = true};
+
+struct DerivativeCheck {
+  bool is_judged = false;
+  bool holds = true;
+  /// Whether the derivative with the other sign, by the other axis, or twice as large would not
+  /// hold.
+  bool tells = false;
+  WitnessValue expected = {};
+};
+
+/// Holds a derivative by x (axis 0) or y (1) to the ways in which the rule lets it be computed:
+/// the plane's own; or the difference to the next pixel or from the one before, in the own row
+/// (column), of coarse ones in the row (column) beside it too. Which pixels make a quad, nothing
+/// states.
+///
+/// Domain:     an interpolation other than kFlat. Not judged: owners that are not known.
+DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f,
+                                const ValueOwners& owners, const Channel& channel, int axis,
+                                double x);
+
+}  // namespace rasterproof::props
+
+#endif  // RASTERPROOF_PROPS_JUDGING_VALUES_DERIVATIVE_QUERIES_H_

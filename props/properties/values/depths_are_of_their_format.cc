@@ -1,0 +1,105 @@
+// A depth is a number of the stated format, next to the exact one.
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "core/value_rule.h"
+#include "props/judging/values/fragment_queries.h"
+#include "props/judging/values/value_queries.h"
+#include "props/judging/witness.h"
+#include "props/placed_case.h"
+#include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
+#include "props/property.h"
+
+namespace rasterproof::props {
+namespace depths_are_of_their_format {
+
+// Steps of 1 / (2^bits - 1); 0: floating point.
+int BitsOf(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::kUnorm16:
+      return 16;
+    case DepthFormat::kUnorm24:
+      return 24;
+    case DepthFormat::kUnorm32:
+      return 32;
+    case DepthFormat::kUnstated:
+    case DepthFormat::kFloat32:
+    case DepthFormat::kFloat64:
+      break;
+  }
+  return 0;
+}
+
+// A program shows the code as a double: code / (2^bits - 1), rounded once, or in float32.
+bool IsOfTheFormat(double x, DepthFormat format) {
+  const int bits = BitsOf(format);
+  if (bits == 0) {
+    return format == DepthFormat::kFloat64 || x == static_cast<double>(static_cast<float>(x));
+  }
+  const double most = std::ldexp(1.0, bits) - 1;
+  const double code = std::nearbyint(x * most);
+  if (!(code >= 0 && code <= most)) return false;
+  const double value = code / most;
+  return x == value || x == static_cast<double>(static_cast<float>(value));
+}
+
+// One step of the format, or half of it, beside what the depth may be off before it is rounded.
+double RoundingOf(const ValueRule& rule, double x) {
+  const int bits = BitsOf(rule.depth);
+  const double share = rule.depth_rounding == DepthRounding::kNearest ? 0.5 : 1;
+  if (bits != 0) return share / (std::ldexp(1.0, bits) - 1) + 0x1p-24 * 0x1p-29;
+  return share * std::ldexp(std::fabs(x), rule.depth == DepthFormat::kFloat32 ? -23 : -52);
+}
+
+Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwners& owners) {
+  const double x = given.drawing.depths[f.index];
+  if (!IsOfTheFormat(x, given.rule.depth)) {
+    return Verdict::Violated(1, "a depth is no number of the stated format",
+                             WitnessAt(f.triangle, -1, f.place, {x}, {"a number of the format"}));
+  }
+  const std::array<double, 3> z = given.DepthsOf(f);
+  const Channel channel{"depth",
+                        given.is_clip_space ? Interpolation::kInverseW : Interpolation::kLinear};
+  std::optional<ValueRange> range = RangeOf(given, f, owners, channel, z);
+  if (!range || range->low < 0 || range->high > 1) return Verdict::Held(0);
+  range->tolerance += RoundingOf(given.rule, range->high);
+  if (!range->SurelyExcludes(x)) return Verdict::Held(1);
+  return Verdict::Violated(
+      1, "a depth is not next to the exact one in the stated format",
+      WitnessAt(f.triangle, -1, f.place, {x}, {range->low, " within ", range->tolerance}));
+}
+
+Checks Ask(const PlacedCase& c, const Description& subject) {
+  return AskFragmentValues(c, subject, kDepthsAlone, Judge);
+}
+
+constexpr std::array kRules{
+    ProfileRule{[](const Profile& p) { return p.values.depth != DepthFormat::kUnstated; },
+                "a stated format of depth", "the profile states no format of depth"}};
+
+}  // namespace depths_are_of_their_format
+
+extern constinit const Property kDepthsAreOfTheirFormat{
+    .name = "DepthsAreOfTheirFormat",
+    .group = "values",
+    .clause =
+        "A depth is converted to the format of the depth buffer, to one of its two neighbours "
+        "there "
+        "(OpenGL 4.6 section 2.3.5.1; Vulkan 1.3, Conversion From Floating-Point to Normalized "
+        "Fixed-Point), or to the nearest, as the subject states.",
+    .tolerance = "a step of the format, or half of it, and the depth's own error",
+    .domains = kValueDomains,
+    .gate = {.space = Space::kEither,
+             .shows = Shows::kDepths,
+             .contract = ContractNeeded::kNone,
+             .any_owners = true,
+             .unwrapped = true,
+             .rules = depths_are_of_their_format::kRules,
+             .where = "a depth within [0, 1]"},
+    .ask = depths_are_of_their_format::Ask,
+};
+
+}  // namespace rasterproof::props

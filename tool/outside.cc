@@ -151,7 +151,7 @@ SubjectMaker ResolveOutside(const std::string& name) {
   }
   if (name.starts_with(kRoundsPrefix)) {
     throw InputError(name, "this verb asks more than rounds of files can answer",
-                     "give it to check, replay --shrink or infer");
+                     "give it to check, replay or infer");
   }
   if (name.ends_with(kDescriptionEnding)) {
     return Executed(ParseDescription(io::ReadFile(name), name), name);

@@ -82,7 +82,6 @@ void ReadAnswers(std::uint8_t kind, std::string_view text) {
     return bytes;
   };
   try {
-    rasterproof::subjects::AnsweredRequest(text.substr(0, text.find('\n')));
     const auto drawing = rasterproof::subjects::ReadAnswer(1, job, info, next_line, next_bytes);
     constexpr std::size_t kSamples = 12;
     if (drawing.counts.size() != kSamples) {

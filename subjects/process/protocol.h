@@ -161,8 +161,6 @@ using NextBytes = std::function<std::string_view(std::size_t count)>;
 ///             reports a fault or a refusal; any exception of next_line and next_bytes.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line, const NextBytes& next_bytes);
-/// Returns the id of the request whose answer the line begins; 0 if it begins none.
-std::uint64_t AnsweredRequest(std::string_view line);
 /// Reads the answer to an edge request.
 ///
 /// Error:      as ReadAnswer.

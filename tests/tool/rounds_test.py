@@ -125,10 +125,11 @@ class RoundsTest(unittest.TestCase):
         self.assertEqual(done.stdout.replace("rounds:rounds", "mine.subject"), here.stdout)
 
     def test_former_verbs_name_the_new_command(self):
-        for verb in ("shrink", "infer"):
-            done = self.run_here("pipe", verb, "--rounds", "rounds")
-            self.assertEqual(done.returncode, 2)
-            self.assertIn("--subject rounds:FOLDER", done.stderr)
+        for verb in ("ask", "judge", "shrink", "infer"):
+            for more in (("--cases", "5"), ("--help",)):
+                done = self.run_here("pipe", verb, *more)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn("--subject rounds:FOLDER", done.stderr)
 
     def test_a_refusal_is_counted_and_a_fault_is_shrunk(self):
         self.describe()

@@ -30,7 +30,7 @@ std::string Rewritten(std::string_view text) {
   std::istringstream in{std::string(text)};
   rasterproof::subjects::RequestReader reader(in);
   SubjectInfo info;
-  info.protocol = rasterproof::subjects::kProtocol;
+  info.takes_same = info.takes_wants = info.takes_npy = true;
   info.coverage = CoverageKind::kFragments;
   info.takes_threads = true;
   std::string written;

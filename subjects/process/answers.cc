@@ -267,7 +267,7 @@ void AddPrimitiveIds(TextWriter& text, const Drawing& drawing, Outputs answered)
 }  // namespace
 
 Outputs Requested(Outputs wants, const SubjectInfo& info) {
-  if (info.protocol < 2) return kEverything;
+  if (!info.takes_wants) return kEverything;
   wants.centroids = wants.centroids && info.fragments.shows_centroids;
   return wants;
 }

@@ -397,10 +397,13 @@ class Batches(unittest.TestCase):
         self.assertIn("it was sent a batch ", errors)
 
     def test_a_program_may_be_sent_vertices_once(self):
-        every, once = (self.check(f"command tests/tool/same_vertices.py\nprotocol {version}\n",
-                                  "--cases", "10") for version in (1, 2))  # fmt: skip
-        self.assertEqual(every[0], once[0])
-        self.assertEqual(["sent the same" in errors for _, errors in (every, once)], [False, True])
+        every, once, former = (self.check(f"command tests/tool/same_vertices.py\n{line}\n",
+                                          "--cases", "10")
+                               for line in ("takes window", "takes window same",
+                                            "protocol 2\ntakes window"))  # fmt: skip
+        self.assertEqual([text for text, _ in (once, former)], [every[0], every[0]])
+        self.assertEqual(["sent the same" in errors for _, errors in (every, once, former)],
+                         [False, True, True])  # fmt: skip
 
 
 class BadNames(unittest.TestCase):

@@ -99,8 +99,10 @@ struct SubjectInfo {
   std::size_t list_length = kUsualListLength;
   /// True if another processor draws: this machine's processor time then does not include it.
   bool draws_elsewhere = false;
-  /// The version of the protocol that it speaks, on a pipe (subjects/process/protocol.h).
-  int protocol = 1;
+  /// Words of a request on a pipe that it reads (subjects/process/protocol.h).
+  bool takes_same = false;
+  bool takes_wants = false;
+  bool takes_npy = false;
   /// For the kinds kPrimitiveIds and kFragments.
   FragmentInfo fragments;
   /// For subjects that show edge values and state their bounds as numbers.

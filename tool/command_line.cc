@@ -296,12 +296,16 @@ constexpr auto kFormer = std::to_array<std::pair<std::string_view, std::string_v
     {"decode", "convert FILE --to case --subject S"},
     {"diff", "coverage SCENE --subject S --against exact"},
     {"encode", "convert FILE --to fuzz-input --subject S"},
-    {"gen", "pipe ask"},
+    {"gen", "check --subject rounds:FOLDER"},
     {"host", "pipe answer plugin:PATH"},
     {"merge", "certify --merge PART..."},
+    {"pipe ask", "check --subject rounds:FOLDER"},
+    {"pipe infer", "infer --subject rounds:FOLDER"},
+    {"pipe judge", "check --subject rounds:FOLDER"},
+    {"pipe shrink", "replay CASE --shrink FILE --subject rounds:FOLDER"},
     {"render", "coverage SCENE --mode flat --png FILE"},
     {"shrink", "replay CASE --shrink FILE"},
-    {"ver", "pipe judge"},
+    {"ver", "check --subject rounds:FOLDER"},
 });
 
 void RequireNotFormer(const std::string& place, const std::string& words) {

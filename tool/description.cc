@@ -16,7 +16,6 @@
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/renamed.h"
-#include "subjects/process/protocol.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -38,14 +37,17 @@ constexpr Names<BarycentricsOf, 3> kBarycentricsOf{{{"given", BarycentricsOf::kG
                                                     {"snapped", BarycentricsOf::kSnapped},
                                                     {"either", BarycentricsOf::kEither}}};
 
-constexpr Names<bool SubjectInfo::*, 8> kTakes{{{"window", &SubjectInfo::takes_window},
-                                                {"clip", &SubjectInfo::takes_clip},
-                                                {"culling", &SubjectInfo::takes_culling},
-                                                {"scissor", &SubjectInfo::takes_scissor},
-                                                {"tiles", &SubjectInfo::takes_tiles},
-                                                {"threads", &SubjectInfo::takes_threads},
-                                                {"batches", &SubjectInfo::takes_batches},
-                                                {"repeats", &SubjectInfo::takes_repeats}}};
+constexpr Names<bool SubjectInfo::*, 11> kTakes{{{"window", &SubjectInfo::takes_window},
+                                                 {"clip", &SubjectInfo::takes_clip},
+                                                 {"culling", &SubjectInfo::takes_culling},
+                                                 {"scissor", &SubjectInfo::takes_scissor},
+                                                 {"tiles", &SubjectInfo::takes_tiles},
+                                                 {"threads", &SubjectInfo::takes_threads},
+                                                 {"batches", &SubjectInfo::takes_batches},
+                                                 {"repeats", &SubjectInfo::takes_repeats},
+                                                 {"same", &SubjectInfo::takes_same},
+                                                 {"wants", &SubjectInfo::takes_wants},
+                                                 {"npy", &SubjectInfo::takes_npy}}};
 
 using Flag = bool& (*)(SubjectInfo&);
 constexpr Names<Flag, 3> kShows{
@@ -154,15 +156,10 @@ std::string InputText(const SubjectInfo& info) {
 }
 
 int ProtocolOf(const std::string& value, const std::string& place) {
-  int version = 0;
-  const char* const end = value.data() + value.size();
-  const auto [stop, problem] = std::from_chars(value.data(), end, version);
-  if (problem == std::errc{} && stop == end && version >= 1 && version <= subjects::kProtocol) {
-    return version;
-  }
-  throw InputError(
-      place, fmt::format("this program does not speak version '{}' of the protocol", value),
-      fmt::format("write protocol 1 to {0}, and have the subject speak it", subjects::kProtocol));
+  if (value == "1" || value == "2" || value == "3") return value.front() - '0';
+  throw InputError(place,
+                   fmt::format("this program does not speak version '{}' of the protocol", value),
+                   "write under takes which of same, wants and npy the subject reads");
 }
 
 void TakeLine(const std::string& key, const std::string& value, const std::string& place,
@@ -195,7 +192,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
   } else if (key == "clock") {
     info.draws_elsewhere = Chosen(kClocks, value, place);
   } else if (key == "protocol") {
-    info.protocol = ProtocolOf(value, place);
+    description.protocol = ProtocolOf(value, place);
   } else if (key == "shows") {
     std::istringstream words(value);
     for (std::string word; words >> word;) Chosen(kShows, word, place)(info) = true;
@@ -207,7 +204,7 @@ void TakeLine(const std::string& key, const std::string& value, const std::strin
     throw InputError(
         place, fmt::format("there is no key '{}'{}", key, io::RenamedText(key)),
         "use name, summary, command, input, coverage, visible, barycentrics-of, barycentric-error, "
-        "depth-error, shows, edge-error, stepping-error, takes, clock, protocol or profile");
+        "depth-error, shows, edge-error, stepping-error, takes, clock or profile");
   }
 }
 
@@ -233,9 +230,9 @@ void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
                      "add a line: coverage fragments");
   }
   if (properties.shows_centroids &&
-      (info.coverage != CoverageKind::kFragments || info.protocol < 2)) {
-    throw InputError(place, "centroids need fragments and protocol 2",
-                     "add two lines: coverage fragments, and protocol 2");
+      (info.coverage != CoverageKind::kFragments || !info.takes_wants)) {
+    throw InputError(place, "centroids need fragments, and requests that want them",
+                     "add a line: coverage fragments, and the word wants under takes");
   }
   if (properties.visible != nothing.visible && !ShowsPrimitiveIds(info)) {
     throw InputError(place, "it says which triangle is visible but does not show it",
@@ -268,7 +265,11 @@ ProgramDescription ParseDescription(std::string_view text, const std::string& pl
              value == std::string::npos ? "" : line.substr(value, end - value),
              fmt::format("{}: line {}", place, number), description);
   }
-  RequireWhatItShows(description.info, place);
+  SubjectInfo& info = description.info;
+  info.takes_same = info.takes_same || description.protocol >= 2;
+  info.takes_wants = info.takes_wants || description.protocol >= 2;
+  info.takes_npy = info.takes_npy || description.protocol >= 3;
+  RequireWhatItShows(info, place);
   RequireEdgesItShows(description.info.edges, place);
   if (!description.info.takes_window && !description.info.takes_clip) {
     throw InputError(place, "it takes neither window nor clip space", "name one under takes");
@@ -313,8 +314,7 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
   if (properties.barycentric_error > 0)
     text += fmt::format("barycentric-error {}\n", properties.barycentric_error);
   if (properties.depth_error > 0) text += fmt::format("depth-error {}\n", properties.depth_error);
-  if (properties.shows_centroids)
-    text += fmt::format("shows centroids\nprotocol {}\n", subjects::kProtocol);
+  if (properties.shows_centroids) text += "shows centroids\n";
   return text;
 }
 

@@ -15,15 +15,16 @@ namespace rasterproof::tool {
 /// nothing), coverage (facing-counts, counts, mask, primitive-id or fragments), visible (last-drawn
 /// or first-drawn), barycentrics-of (given, snapped or either), barycentric-error and depth-error
 /// (absolute), shows (edges, steps), edge-error and stepping-error (exact, or as in EdgeInfo),
-/// takes (any of window, clip, culling, scissor, tiles, threads, batches, repeats), clock (elapsed
-/// if another processor draws), protocol (the version
-/// that it speaks, see subjects/process/protocol.h; 1 if it says nothing), profile (a preset, or a
-/// profile file's JSON on the one line). Lines that begin with # are comments.
+/// takes (any of window, clip, culling, scissor, tiles, threads, batches, repeats, same, wants,
+/// npy), clock (elapsed if another processor draws), profile (a preset, or a profile file's JSON on
+/// the one line), protocol (as earlier versions had it: 2 stands for takes same wants, 3 for npy
+/// too). Lines that begin with # are comments.
 struct ProgramDescription {
   SubjectInfo info;
   std::string command;
   /// What the line `input` says; info.profile.fixed holds it, or what the profile says.
   std::optional<FixedInput> fixed;
+  int protocol = 1;
 };
 
 /// Assumed for a program without a description: float32, window space, counts without facings,

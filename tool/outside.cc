@@ -13,7 +13,6 @@
 #include "io/output.h"
 #include "subjects/plugin/plugin.h"
 #include "subjects/process/process.h"
-#include "subjects/process/protocol.h"
 #include "subjects/process/serve.h"
 #include "tool/description.h"
 #include "tool/exit_status.h"
@@ -51,7 +50,7 @@ SubjectMaker Hosted(const std::string& name, const FloatModeOfHost& float_mode) 
   SubjectInfo info = ParseDescription(text, name).info;
   info.summary = info.name + (info.summary.empty() ? "" : ": ") + info.summary;
   info.stated_name = std::exchange(info.name, name);
-  info.protocol = subjects::kProtocol;
+  info.takes_same = info.takes_wants = info.takes_npy = true;  // this program reads them
   std::vector<std::string> command{ThisProgram(), "pipe", "answer", name};
   if (float_mode.where != FloatModeOfHost::Where::kNowhere) {
     const bool is_workers = float_mode.where == FloatModeOfHost::Where::kInOtherThreads;
@@ -151,7 +150,7 @@ SubjectMaker ResolveOutside(const std::string& name) {
   }
   if (name.starts_with(kRoundsPrefix)) {
     throw InputError(name, "this verb asks more than rounds of files can answer",
-                     "give it to check, replay --shrink or infer");
+                     "give it to check, replay or infer");
   }
   if (name.ends_with(kDescriptionEnding)) {
     return Executed(ParseDescription(io::ReadFile(name), name), name);
@@ -182,7 +181,8 @@ int HostSubject(const HostOptions& options) {
   }();
   if (options.describe) {
     SubjectInfo info = here.subject->Info();
-    info.takes_repeats = true;  // whatever it draws: Serve does it
+    info.takes_repeats = true;                          // whatever it draws: Serve does it
+    info.takes_wants = info.fragments.shows_centroids;  // no other request asks for them
     SayAll(answers, DescriptionText(info, here.profile));
     return kExitHolds;
   }

@@ -7,12 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/error.h"
 #include "core/scene.h"
 #include "tool/coverage/cmd_coverage.h"
 #include "tool/legal/cmd_legal.h"
 #include "tool/outside.h"
-#include "tool/pipe/cmd_pipe.h"
 #include "tool/plan/cmd_plan.h"
 #include "tool/scene_source.h"
 #include "tool/subject_kinds.h"
@@ -263,14 +261,6 @@ void AddSceneVerbs(CLI::App& app, Run& run) {
 
 namespace {
 
-void AddPipe(CLI::App* app, PipeOptions& options) {
-  app->add_option("--property", options.property, "Property to test")->capture_default_str();
-  app->add_option("--description", options.description,
-                  "The program's description (docs/subjects.md)");
-  app->add_option("--profile", options.profile, "Judge by this profile, not by the description's");
-  AddCampaign(app, options.campaign);
-}
-
 void AddFloatMode(CLI::App* app, const std::string& option, FloatModeOfHost::Where where,
                   const std::string& help, FloatModeOfHost& float_mode) {
   app->add_option_function<std::string>(
@@ -283,34 +273,13 @@ void AddFloatMode(CLI::App* app, const std::string& option, FloatModeOfHost::Whe
           CLI::IsMember(std::vector<std::string>{kFloatModeNames.begin(), kFloatModeNames.end()}));
 }
 
-// What rounds:FOLDER does.
-void AddFormer(CLI::App* pipe, const std::string& verb, const std::string& now, Run& run) {
-  CLI::App* former = pipe->add_subcommand(verb, "")->group("");
-  former->allow_extras();
-  former->callback([verb, now, &run] {
-    run = [verb, now]() -> int {
-      throw InputError("pipe " + verb, "a program asked in rounds is a subject now",
-                       "give: rasterproof " + now + " --subject rounds:FOLDER");
-    };
-  });
-}
-
 }  // namespace
 
 void AddPipeVerb(CLI::App& app, Run& run) {
-  static PipeOptions options;
   static HostOptions host;
-  CLI::App* verb = app.add_subcommand(
-      "pipe", "Test a program in your own pipe: pipe ask | PROGRAM | pipe judge");
+  CLI::App* verb =
+      app.add_subcommand("pipe", "Answer requests on a pipe by a library: pipe answer plugin:PATH");
   verb->require_subcommand(1);
-  CLI::App* ask = verb->add_subcommand("ask", "Print requests for a program's standard input");
-  AddPipe(ask, options);
-  ask->callback([&run] { run = [] { return RunAsk(options); }; });
-  CLI::App* judge = verb->add_subcommand("judge", "Judge the program's answers on standard input");
-  AddPipe(judge, options);
-  judge->callback([&run] { run = [] { return RunJudge(options); }; });
-  AddFormer(verb, "shrink", "replay CASE --shrink FILE", run);
-  AddFormer(verb, "infer", "infer", run);
   CLI::App* answer = verb->add_subcommand("answer", "Answer requests with a plugin");
   answer->add_option("subject", host.subject, "plugin:PATH")->required();
   answer->add_flag("--describe", host.describe, "Print only its description");

@@ -69,7 +69,7 @@ void AddCompare(CLI::App& app, Run& run, const std::string& own);
 /// Adds certify, whose subject is `own` unless one is named.
 void AddCertify(CLI::App& app, Run& run, const std::string& own);
 
-/// Adds pipe ask, judge and answer.
+/// Adds pipe answer.
 void AddPipeVerb(CLI::App& app, Run& run);
 
 /// Adds vectors generate and verify.

@@ -30,7 +30,7 @@ std::string Rewritten(std::string_view text) {
   std::istringstream in{std::string(text)};
   rasterproof::subjects::RequestReader reader(in);
   SubjectInfo info;
-  info.protocol = rasterproof::subjects::kProtocol;
+  info.takes_same = info.takes_wants = info.takes_npy = true;
   info.coverage = CoverageKind::kFragments;
   info.takes_threads = true;
   std::string written;
@@ -82,7 +82,6 @@ void ReadAnswers(std::uint8_t kind, std::string_view text) {
     return bytes;
   };
   try {
-    rasterproof::subjects::AnsweredRequest(text.substr(0, text.find('\n')));
     const auto drawing = rasterproof::subjects::ReadAnswer(1, job, info, next_line, next_bytes);
     constexpr std::size_t kSamples = 12;
     if (drawing.counts.size() != kSamples) {

@@ -2,9 +2,6 @@
 """A rasterizer on a pipe, exact by rational numbers:
 
          rasterproof check --exec kit/examples/program.py
-
-or by hand
-         rasterproof pipe ask | kit/examples/program.py | rasterproof pipe judge
 """
 import sys
 from fractions import Fraction

@@ -28,10 +28,11 @@ namespace rasterproof::props {
 ///                drawn, or to none of the cases. Domains that the subject can't take are left out
 ///                and named in the message. Also if the subject can't be given the world.
 /// kInconclusive  a case was too slow to judge; the counterexample does not fail again, and then
-///                the message has both answers; the subject refused more than kMostRefusedShare of
-///                the cases, or all that were drawn for one place (case_places.h); nothing hard was
-///                reached, or the subject changed its front or its grid between cases (Conclude);
-///                or the run was stopped. The message says which, and what was exercised so far.
+///                the message has both answers; the subject refused more cases than put
+///                the property to the test, or all that were drawn for one place (case_places.h);
+///                nothing hard was reached, or the subject changed its front or its grid between
+///                cases (Conclude); or the run was stopped. The message says which, and what was
+///                exercised so far.
 ///
 /// Error:      JudgingFault; SubjectDoesNotRun.
 PropertyResult RunCampaign(Subject& subject, const Property& property,

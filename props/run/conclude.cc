@@ -57,9 +57,8 @@ std::string RefusedThroughout(const CountsOfPlaces& counts) {
 
 // What the subject refuses, if that is too much for a pass.
 std::string RefusedText(const PropertyResult& result) {
-  const auto refused = static_cast<double>(result.refused_within_limits);
-  const auto asked = static_cast<double>(result.refused_within_limits + result.cases_exercised);
-  return refused > kMostRefusedShare * asked ? "too much" : RefusedThroughout(result.places);
+  const bool too_much = RefusesTooMuch(result.refused_within_limits, result.cases_exercised);
+  return too_much ? "too much" : RefusedThroughout(result.places);
 }
 
 bool ChangesItsFront(const PropertyResult& result) {

@@ -14,10 +14,11 @@
 
 namespace rasterproof::props {
 
-/// The most that a subject may refuse, as a share of the cases that would have put the property to
-/// the test: beyond it, the property was hardly asked. Scenes beyond the profile's limits don't
-/// count: who states a limit may refuse them.
-inline constexpr double kMostRefusedShare = 0.5;
+/// Whether a property was hardly asked: more cases were refused than put it to the test. Scenes
+/// beyond the profile's limits don't count: who states a limit may refuse them.
+constexpr bool RefusesTooMuch(std::uint64_t refused, std::uint64_t tested) {
+  return refused > tested;
+}
 
 /// The result before any case: the property's words, and a count for each domain of DomainsFor;
 /// none of a world.

@@ -45,6 +45,16 @@ std::optional<std::string_view> AfterHead(std::string_view line, std::string_vie
   return line.substr(1);
 }
 
+// Whether the line begins the answer to some request.
+bool BeginsAnswer(std::string_view line) {
+  for (const std::string_view word :
+       {"counts ", "primitive-ids ", "fragments ", "values ", "fault ", "refused ", "no-memory "}) {
+    std::uint64_t id = 0;
+    if (line.starts_with(word) && WordReader(line.substr(word.size())).Number(id)) return id != 0;
+  }
+  return false;
+}
+
 // Returns what follows the head of an answer's first line.
 std::string_view RequireHead(std::string_view line, std::string_view word, std::uint64_t id,
                              const std::string& subject) {
@@ -58,7 +68,7 @@ std::string_view RequireHead(std::string_view line, std::string_view word, std::
                              "give it another one");
     throw SubjectStop(Stop::kRefused, refusal.what());
   }
-  if (id == 1 && !line.empty() && AnsweredRequest(line) == 0) {
+  if (id == 1 && !line.empty() && !BeginsAnswer(line)) {
     throw SubjectDoesNotRun(
         subject,
         "its first line is " + Quoted(line, kMostQuoted) + ", not \"" + std::string(word) + " 1\"",
@@ -257,7 +267,7 @@ void AddPrimitiveIds(TextWriter& text, const Drawing& drawing, Outputs answered)
 }  // namespace
 
 Outputs Requested(Outputs wants, const SubjectInfo& info) {
-  if (info.protocol < 2) return kEverything;
+  if (!info.takes_wants) return kEverything;
   wants.centroids = wants.centroids && info.fragments.shows_centroids;
   return wants;
 }
@@ -315,15 +325,6 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
     ReadCounts(drawing.counts, drawing.counts.back, next_line);
   }
   return drawing;
-}
-
-std::uint64_t AnsweredRequest(std::string_view line) {
-  for (const std::string_view word :
-       {"counts ", "primitive-ids ", "fragments ", "values ", "fault ", "refused ", "no-memory "}) {
-    std::uint64_t id = 0;
-    if (line.starts_with(word) && WordReader(line.substr(word.size())).Number(id)) return id;
-  }
-  return 0;
 }
 
 std::string ValuesText(std::uint64_t id, std::span<const double> values) {

@@ -15,8 +15,8 @@
 // Or one line: `refused ID REASON`, `fault ID REASON` for what it found out about itself, or
 // `no-memory ID REASON` if its process may have no more memory, which is no finding.
 //
-// Version 2, for programs that say that they speak it (SubjectInfo::protocol), is version 1 and two
-// words that come over the pipe no more often than they save something:
+// Three words come to programs that say that they take them (SubjectInfo), the first two no more
+// often than they save something:
 //     same       in place of VERTICES: those of the request before; no lines of vertices follow
 //     wants=...  not all that the program shows. coverage: the answer is `counts ID`, 1 where
 //                anything won the sample. primitive-ids: it is `primitive-ids ID`.
@@ -24,19 +24,17 @@
 //                after each index come W0 W1 W2 alone, or DEPTH alone. centroids among them, for a
 //                program that shows them: C0 C1 C2, the barycentrics at the fragment's centroid,
 //                come last. No request without that word asks for them.
-// Version 3 is version 2, and a word at the end of a request's line for lists that come as arrays:
-//     npy        the vertices, unless they are the same, and then the triangles follow as arrays of
-//                NumPy's format NPY 1.0, '<f8' of VERTICES rows of four and '<i4' of TRIANGLES rows
-//                of three, in place of the lines
+//     npy        at the end of the line: the vertices, unless they are the same, and then the
+//                triangles follow as arrays of NumPy's format NPY 1.0, '<f8' of VERTICES rows of
+//                four and '<i4' of TRIANGLES rows of three, in place of the lines
 //
-// In every version an answer's line may end with the same word: `counts ID npy` and one array of
-// integers of any size follow, (HEIGHT, WIDTH * SAMPLES) or (HEIGHT, WIDTH, SAMPLES), and of a
-// program that reports facings (2, HEIGHT, ...); `primitive-ids ID npy` likewise.
+// An answer's line may always end with the same word: `counts ID npy` and one array of integers of
+// any size follow, (HEIGHT, WIDTH * SAMPLES) or (HEIGHT, WIDTH, SAMPLES), and of a program that
+// reports facings (2, HEIGHT, ...); `primitive-ids ID npy` likewise.
 //
 // Only a host of a library is sent float=MODE (core/float_mode.h), the mode in which it calls it.
 //
-// The first request of a call has its own vertices. A program's answers to requests of version 1
-// are the same in version 2.
+// The first request of a call has its own vertices.
 //
 // A program that takes repeats is sent repeats=N where it is timed: it draws the scene N times,
 // each onto an empty target, and answers as for once. The time of one draw is the slope of its
@@ -72,9 +70,6 @@
 
 namespace rasterproof::subjects {
 
-/// The newest version; all from 1 on are spoken.
-inline constexpr int kProtocol = 3;
-
 struct DrawRequest {
   std::uint64_t id = 0;
   DrawJob job;
@@ -92,21 +87,21 @@ struct EdgeRequest {
   std::size_t Values() const { return static_cast<std::size_t>(steps) + 1; }
 };
 
-/// The requests for the jobs of one call, numbered from `first_id` on, in the version that the
-/// subject speaks. Options that it does not take are left out.
+/// The requests for the jobs of one call, numbered from `first_id` on. Options and words that the
+/// subject does not take are left out.
 std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
                          const SubjectInfo& info);
 /// The line that announces the next n requests as one call.
 std::string BatchText(std::size_t n);
 std::string RequestsText(std::span<const EdgeRequest> requests);
 
-/// Returns the ones of these outputs that a request in the subject's version can ask for.
+/// Returns the ones of these outputs that a request to the subject can ask for.
 Outputs Requested(Outputs wants, const SubjectInfo& info);
 /// Returns the outputs, in addition to coverage, of the answer to a job that wants these: those
 /// that the subject shows. Barycentrics and depths always come with ids.
 Outputs Answered(CoverageKind kind, Outputs wants);
 
-/// Reads requests of every version, one after the other.
+/// Reads requests with any words, one after the other.
 ///
 /// Domain:     a stream that outlives this.
 /// Error:      every read: InputError with the number of the request and the expected text.
@@ -161,8 +156,6 @@ using NextBytes = std::function<std::string_view(std::size_t count)>;
 ///             reports a fault or a refusal; any exception of next_line and next_bytes.
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line, const NextBytes& next_bytes);
-/// Returns the id of the request whose answer the line begins; 0 if it begins none.
-std::uint64_t AnsweredRequest(std::string_view line);
 /// Reads the answer to an edge request.
 ///
 /// Error:      as ReadAnswer.

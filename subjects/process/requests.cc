@@ -124,19 +124,18 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
   text.Add(' ');
   text.AddNumber(job.Triangles().size());
   AddOptions(text, job.options, info);
-  if (info.protocol >= 2) text.Add(WantsText(Requested(job.wants, info), info.coverage));
+  if (info.takes_wants) text.Add(WantsText(Requested(job.wants, info), info.coverage));
   if (job.repeats > 1 && info.takes_repeats) {
     text.Add(" repeats=");
     text.AddNumber(job.repeats);
   }
-  const bool as_arrays = info.protocol >= 3;
-  if (as_arrays) {
+  if (info.takes_npy) {
     text.Add(' ');
     text.Add(kAsArrays);
   }
   text.Add('\n');
-  if (!has_same_vertices) AddVertices(text, scene.vertices, as_arrays);
-  AddTriangles(text, job.Triangles(), as_arrays);
+  if (!has_same_vertices) AddVertices(text, scene.vertices, info.takes_npy);
+  AddTriangles(text, job.Triangles(), info.takes_npy);
 }
 
 [[noreturn]] void Malformed(const std::string& where, const std::string& expected) {
@@ -252,7 +251,7 @@ std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
   const Scene* before = nullptr;
   for (const DrawJob& job : jobs) {
     const bool has_same_vertices =
-        info.protocol >= 2 && before != nullptr && HaveTheSameVertices(*before, *job.scene);
+        info.takes_same && before != nullptr && HaveTheSameVertices(*before, *job.scene);
     AddRequest(text, first_id++, job, info, has_same_vertices);
     before = job.scene.get();
   }

@@ -18,9 +18,9 @@ namespace {
 
 // The job of one pixel row for a subject of fragments, and the subject.
 struct CentroidsAsked {
-  CentroidsAsked(bool shows, int protocol, Outputs wants) {
+  CentroidsAsked(bool shows, bool takes_wants, Outputs wants) {
     info.coverage = CoverageKind::kFragments;
-    info.protocol = protocol;
+    info.takes_wants = takes_wants;
     info.fragments.shows_centroids = shows;
     Scene scene;
     scene.width = 2;
@@ -60,7 +60,7 @@ TEST(CentroidProtocol, AsksForCentroidsWhereTheyAreShownAndWanted) {
   drawing.centroids = {{0.5, 0.375, 0.125}, {}};
   Outputs wants = kCoverageAndPrimitiveIds;
   wants.centroids = true;
-  const CentroidsAsked alone(true, 2, wants);
+  const CentroidsAsked alone(true, true, wants);
   EXPECT_TRUE(Contains(alone.Text(), " wants=primitive-ids,centroids\n"));
   const std::string answer = AnswerText(12, drawing, CoverageKind::kFragments, wants);
   EXPECT_EQ(answer, "fragments 12\n0 0.5 0.375 0.125 -1\n");
@@ -70,7 +70,7 @@ TEST(CentroidProtocol, AsksForCentroidsWhereTheyAreShownAndWanted) {
 
   Outputs all = kEverything;
   all.centroids = true;
-  const CentroidsAsked everything(true, 2, all);
+  const CentroidsAsked everything(true, true, all);
   EXPECT_TRUE(Contains(everything.Text(), " wants=primitive-ids,barycentrics,depths,centroids\n"));
   const Drawing read = everything.Reads(AnswerText(12, drawing, CoverageKind::kFragments, all));
   EXPECT_EQ(read.barycentrics, drawing.barycentrics);
@@ -78,19 +78,19 @@ TEST(CentroidProtocol, AsksForCentroidsWhereTheyAreShownAndWanted) {
   EXPECT_EQ(read.centroids, drawing.centroids);
 
   // Who shows none, or knows no such word, is asked as before.
-  EXPECT_FALSE(Contains(CentroidsAsked(true, 2, kEverything).Text(), "wants"));
-  EXPECT_TRUE(Contains(CentroidsAsked(false, 2, wants).Text(), " wants=primitive-ids\n"));
-  EXPECT_FALSE(Contains(CentroidsAsked(false, 1, wants).Text(), "wants"));
+  EXPECT_FALSE(Contains(CentroidsAsked(true, true, kEverything).Text(), "wants"));
+  EXPECT_TRUE(Contains(CentroidsAsked(false, true, wants).Text(), " wants=primitive-ids\n"));
+  EXPECT_FALSE(Contains(CentroidsAsked(false, false, wants).Text(), "wants"));
 }
 
 TEST(CentroidProtocol, RequestsReadBack) {
   Outputs wants = kCoverageAndPrimitiveIds;
   for (const bool centroids : {true, false}) {
     wants.centroids = centroids;
-    std::istringstream in(CentroidsAsked(true, 2, wants).Text());
+    std::istringstream in(CentroidsAsked(true, true, wants).Text());
     EXPECT_EQ(RequestReader(in).NextCall().front().job.wants, wants);
   }
-  std::istringstream all(CentroidsAsked(true, 2, kEverything).Text());
+  std::istringstream all(CentroidsAsked(true, true, kEverything).Text());
   EXPECT_EQ(RequestReader(all).NextCall().front().job.wants, kEverything);
 }
 

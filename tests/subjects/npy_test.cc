@@ -113,19 +113,19 @@ DrawJob SomeJob() {
   return {scene, {}, 1};
 }
 
-SubjectInfo Version3(CoverageKind kind) {
+SubjectInfo TakingNpy(CoverageKind kind) {
   SubjectInfo info;
   info.coverage = kind;
-  info.protocol = 3;
+  info.takes_same = info.takes_wants = info.takes_npy = true;
   return info;
 }
 
-TEST(Npy, RequestsOfVersion3CarryListsAsArraysWithoutLosingABit) {
+TEST(Npy, RequestsCarryListsAsArraysWithoutLosingABit) {
   const DrawJob job = SomeJob();
   DrawJob second = job;
   second.triangles = {job.scene->triangles[1]};
   const std::vector<DrawJob> jobs{job, second};
-  const std::string text = RequestsText(1, jobs, Version3(CoverageKind::kFacingCounts));
+  const std::string text = RequestsText(1, jobs, TakingNpy(CoverageKind::kFacingCounts));
   EXPECT_EQ(text.substr(0, text.find('\n')), "draw 1 2 1 1 window 3 2 npy");
   EXPECT_NE(text.find("draw 2 2 1 1 window same 1 npy\n"), std::string::npos);
   std::istringstream in("batch 2\n" + text);
@@ -143,7 +143,7 @@ TEST(Npy, RequestsOfVersion3CarryListsAsArraysWithoutLosingABit) {
 
 TEST(Npy, RequestsWhoseArraysAreNoneAreRefused) {
   const DrawJob job = SomeJob();
-  const std::string good = RequestsText(1, {&job, 1}, Version3(CoverageKind::kCounts));
+  const std::string good = RequestsText(1, {&job, 1}, TakingNpy(CoverageKind::kCounts));
   const auto why = [](const std::string& text) -> std::string {
     std::istringstream in(text);
     try {
@@ -168,7 +168,7 @@ Drawing Answered(const std::string& answer, CoverageKind kind) {
   TextBytes bytes(answer.substr(end + 1));
   const std::string head = answer.substr(0, end);
   return ReadAnswer(
-      12, SomeJob(), Version3(kind), [&](std::size_t) { return std::string_view(head); },
+      12, SomeJob(), TakingNpy(kind), [&](std::size_t) { return std::string_view(head); },
       [&](std::size_t n) { return bytes(n); });
 }
 

@@ -44,11 +44,11 @@ DrawRequest SomeRequest() {
   return request;
 }
 
-// A subject that takes everything, of version 1 of the protocol.
-SubjectInfo Info(CoverageKind kind = CoverageKind::kFacingCounts, int protocol = 1) {
+// A subject that takes all options and, if it takes words, `same` and `wants`.
+SubjectInfo Info(CoverageKind kind = CoverageKind::kFacingCounts, bool words = false) {
   SubjectInfo info;
   info.coverage = kind;
-  info.protocol = protocol;
+  info.takes_same = info.takes_wants = words;
   info.takes_threads = true;
   return info;
 }
@@ -141,10 +141,10 @@ std::size_t LinesOf(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count(text, '\n'));
 }
 
-TEST(Protocol, SendsVerticesOnceToWhoSpeaksVersionTwo) {
+TEST(Protocol, SendsVerticesOnceToWhoTakesTheSame) {
   const std::vector<DrawJob> jobs = SomeJobs();
   const std::string every = RequestsText(1, jobs, Info());
-  const std::string once = RequestsText(1, jobs, Info(CoverageKind::kFacingCounts, 2));
+  const std::string once = RequestsText(1, jobs, Info(CoverageKind::kFacingCounts, true));
   EXPECT_EQ(LinesOf(every), LinesOf(once) + 3 * jobs[0].scene->vertices.size())
       << "of the other scene a bit differs, and its vertices come again";
   for (const std::string& text : {every, once}) {
@@ -160,7 +160,7 @@ TEST(Protocol, SendsVerticesOnceToWhoSpeaksVersionTwo) {
 
 TEST(Protocol, SharesWhatIsTheSameBehindThePipeToo) {
   const std::vector<DrawRequest> read =
-      ReadCall(BatchText(5) + RequestsText(1, SomeJobs(), Info(CoverageKind::kFacingCounts, 2)));
+      ReadCall(BatchText(5) + RequestsText(1, SomeJobs(), Info(CoverageKind::kFacingCounts, true)));
   ASSERT_EQ(read.size(), 5U);
   EXPECT_EQ(read[0].job.scene, read[1].job.scene);
   EXPECT_NE(read[1].job.scene, read[2].job.scene) << "another target";
@@ -168,33 +168,34 @@ TEST(Protocol, SharesWhatIsTheSameBehindThePipeToo) {
 }
 
 TEST(Protocol, AsksForWhatIsWantedOfWhatIsShownAlone) {
-  const auto asked = [](CoverageKind kind, int protocol, Outputs wants) {
+  const auto asked = [](CoverageKind kind, bool words, Outputs wants) {
     DrawJob job;
     job.wants = wants;
-    const std::string text = RequestsText(1, {&job, 1}, Info(kind, protocol));
+    const std::string text = RequestsText(1, {&job, 1}, Info(kind, words));
     return text.substr(std::string("draw 1 1 1 1 window 0 0").size());
   };
   const Outputs depths{.primitive_ids = false, .barycentrics = false, .depths = true};
-  EXPECT_EQ(asked(CoverageKind::kFragments, 2, kEverything), "\n");
-  EXPECT_EQ(asked(CoverageKind::kFragments, 2, depths), " wants=primitive-ids,depths\n");
-  EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAndPrimitiveIds), " wants=primitive-ids\n");
-  EXPECT_EQ(asked(CoverageKind::kFragments, 2, kCoverageAlone), " wants=coverage\n");
-  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, 2, kCoverageAlone), " wants=coverage\n");
-  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, 2, kCoverageAndPrimitiveIds), "\n");
-  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, 2, depths), "\n")
+  EXPECT_EQ(asked(CoverageKind::kFragments, true, kEverything), "\n");
+  EXPECT_EQ(asked(CoverageKind::kFragments, true, depths), " wants=primitive-ids,depths\n");
+  EXPECT_EQ(asked(CoverageKind::kFragments, true, kCoverageAndPrimitiveIds),
+            " wants=primitive-ids\n");
+  EXPECT_EQ(asked(CoverageKind::kFragments, true, kCoverageAlone), " wants=coverage\n");
+  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, true, kCoverageAlone), " wants=coverage\n");
+  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, true, kCoverageAndPrimitiveIds), "\n");
+  EXPECT_EQ(asked(CoverageKind::kPrimitiveIds, true, depths), "\n")
       << "it shows none, but whose they are";
-  EXPECT_EQ(asked(CoverageKind::kMask, 2, kCoverageAlone), "\n");
-  EXPECT_EQ(asked(CoverageKind::kFragments, 1, kCoverageAlone), "\n");
+  EXPECT_EQ(asked(CoverageKind::kMask, true, kCoverageAlone), "\n");
+  EXPECT_EQ(asked(CoverageKind::kFragments, false, kCoverageAlone), "\n");
   for (const Outputs wants : {kEverything, kCoverageAndPrimitiveIds, kCoverageAlone}) {
     DrawJob job;
     job.wants = wants;
-    const std::string text = RequestsText(1, {&job, 1}, Info(CoverageKind::kFragments, 2));
+    const std::string text = RequestsText(1, {&job, 1}, Info(CoverageKind::kFragments, true));
     EXPECT_EQ(ReadCall(text).at(0).job.wants, wants) << text;
   }
 }
 
 // The answer to request 12, a scene of 2 triangles on a target of one row.
-Drawing Read(const std::string& answer, CoverageKind kind, int width, int protocol = 1,
+Drawing Read(const std::string& answer, CoverageKind kind, int width, bool words = false,
              Outputs wants = kEverything) {
   Scene scene;
   scene.width = width;
@@ -211,7 +212,7 @@ Drawing Read(const std::string& answer, CoverageKind kind, int width, int protoc
     return std::string_view(bytes);
   };
   return ReadAnswer(
-      12, job, Info(kind, protocol),
+      12, job, Info(kind, words),
       [&](std::size_t) {
         if (!std::getline(lines, line)) line.clear();
         return std::string_view(line);
@@ -292,17 +293,18 @@ TEST(Protocol, CarriesWhatIsWantedAndNoMore) {
   EXPECT_EQ(AnswerText(12, drawing, kind, depths), "fragments 12\n1 0.125 -1\n");
   for (const Outputs wants :
        {kCoverageAlone, kCoverageAndPrimitiveIds, barycentrics, depths, kEverything}) {
-    const Drawing read = Read(AnswerText(12, drawing, kind, wants), kind, 2, 2, wants);
+    const Drawing read = Read(AnswerText(12, drawing, kind, wants), kind, 2, true, wants);
     EXPECT_EQ(read.counts, drawing.counts);
     EXPECT_EQ(read.primitive_ids.empty(), wants == kCoverageAlone);
     EXPECT_EQ(read.barycentrics,
               wants.barycentrics ? drawing.barycentrics : decltype(read.barycentrics)());
     EXPECT_EQ(read.depths, wants.depths ? drawing.depths : decltype(read.depths)());
-    const Drawing older = Read(AnswerText(12, drawing, kind, kEverything), kind, 2, 1, wants);
-    EXPECT_EQ(older.primitive_ids, drawing.primitive_ids) << "version 1 answers with everything";
+    const Drawing older = Read(AnswerText(12, drawing, kind, kEverything), kind, 2, false, wants);
+    EXPECT_EQ(older.primitive_ids, drawing.primitive_ids)
+        << "who takes no wants answers with everything";
     EXPECT_EQ(older.barycentrics, read.barycentrics) << "and what is not wanted is not kept";
   }
-  EXPECT_THROW(Read("fragments 12\n1 0 0 1 0.5 -1\n", kind, 2, 2, kCoverageAndPrimitiveIds),
+  EXPECT_THROW(Read("fragments 12\n1 0 0 1 0.5 -1\n", kind, 2, true, kCoverageAndPrimitiveIds),
                SubjectStop);
 }
 

@@ -17,7 +17,7 @@ coverage fragments
 shows centroids
 barycentrics-of snapped
 barycentric-error 1e-12
-protocol 2
+takes window wants
 profile {{"name": "mine", "subpixel_bits": 8, "coordinate_limit": 32768, \
 "infinite_vertex": "unspecified", "sample_locations": "standard-4", "centroid": "{rule}"}}
 """

@@ -36,8 +36,9 @@ class Names(unittest.TestCase):
             self.assertEqual(self.wrong("fine\n" + text), [(2, what)], text)
 
     def test_what_it_knows_is_let_pass(self):
-        for text in ("build/rasterproof check --cases 3 | head --lines 3", "`pipe ask --seed 2`",
-                     "the command rasterproof certifies", "`cmake --preset release`",
+        for text in ("build/rasterproof check --cases 3 | head --lines 3",
+                     "`pipe answer --describe`", "the command rasterproof certifies",
+                     "`cmake --preset release`",
                      "`rasterproof check --plugin ./mine.so -- --other`"):
             self.assertEqual(self.wrong(text), [], text)
 

@@ -87,7 +87,8 @@ class Names(unittest.TestCase):
                          ("shrink", "replay CASE --shrink FILE"),
                          ("encode", "convert FILE --to fuzz-input --subject S"),
                          ("decode", "convert FILE --to case --subject S"),
-                         ("gen", "pipe ask"), ("ver", "pipe judge"),
+                         ("gen", "check --subject rounds:FOLDER"),
+                         ("ver", "check --subject rounds:FOLDER"),
                          ("host", "pipe answer plugin:PATH"),
                          ("merge", "certify --merge PART...")):  # fmt: skip
             with self.subTest(old):
@@ -95,7 +96,7 @@ class Names(unittest.TestCase):
                 self.assertEqual(self.refused(old, "--help"),
                                  f"rasterproof: verb '{old}': {old} is now a part of {verb}; "
                                  f"write rasterproof {now}\n")  # fmt: skip
-                printed = run(verb, *(w for w in rest if w in ("ask", "judge", "answer")), "--help")
+                printed = run(verb, *(w for w in rest if w == "answer"), "--help")
                 for option in filter(lambda word: word.startswith("--"), rest):
                     self.assertIn(f"{option} ", printed.stdout.replace(",", " "))
 

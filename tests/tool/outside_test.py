@@ -9,7 +9,6 @@ import tempfile
 import unittest
 
 PROGRAM, SOURCES, EXAMPLES, PLUGINS = (os.path.abspath(path) for path in sys.argv[1:5])
-PYTHON_EXAMPLE = os.path.join(SOURCES, "kit/examples/program.py")
 MODEL = "CoverageEqualsTheModel"
 SHARED_EDGE = "SharedEdgeSamplesAreCoveredOnce"
 EMBEDDED_MESH = "EmbeddedMeshSamplesAreCoveredOnce"
@@ -19,10 +18,10 @@ DEGENERATE = "DegenerateTrianglesCoverNothing"
 SCENE = "scenes/ties.json"
 
 
-def run(*arguments, program=PROGRAM, data=None):
+def run(*arguments, program=PROGRAM):
     if arguments[:1] == ("check",):  # explaining takes longer than finding: causes_test.py has it
         arguments += ("--no-cause",)
-    return subprocess.run([program, *arguments], input=data, capture_output=True, cwd=SOURCES,
+    return subprocess.run([program, *arguments], capture_output=True, cwd=SOURCES,
                           timeout=900, check=False)  # fmt: skip
 
 
@@ -70,26 +69,6 @@ class SoundSubjects(unittest.TestCase):
                    "--property", MODEL, "--property", SHARED_EDGE)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
 
-    def test_a_pipe_laid_by_hand_says_the_same(self):
-        requests = run("pipe", "ask", "--cases", "6")
-        self.assertEqual(requests.returncode, 0, requests.stderr)
-        answers = run(program=PYTHON_EXAMPLE, data=requests.stdout)
-        verdict = run("pipe", "judge", "--cases", "6", data=answers.stdout)
-        self.assertEqual(verdict.returncode, 0, verdict.stdout.decode() + verdict.stderr.decode())
-        self.assertIn(b"0 violated", verdict.stdout)
-
-    def test_a_wrong_answer_on_the_pipe_is_violated(self):
-        requests = run("pipe", "ask", "--cases", "3")
-        answers = run(program=PYTHON_EXAMPLE, data=requests.stdout)
-        wrong = [
-            line.replace(b"0", b"1") if b"counts" not in line else line
-            for line in answers.stdout.split(b"\n")
-        ]
-        verdict = run("pipe", "judge", "--cases", "3", data=b"\n".join(wrong))
-        self.assertEqual(verdict.returncode, 1, verdict.stderr)
-        self.assertIn(b"--exec PROGRAM --property CoverageEqualsTheModel --case "
-                      b"near-edge:5330000@1\n", verdict.stdout)
-
     def test_a_type_of_ones_own_is_the_subject(self):
         done = run("check", "--property", MODEL, program=f"{EXAMPLES}/example_own_type")
         self.assertEqual(done.returncode, 1, done.stderr)  # float32 and no tie rule
@@ -115,41 +94,29 @@ class SoundSubjects(unittest.TestCase):
 class MeshProperties(unittest.TestCase):
     """Subjects that state meshes alone: they are put to the test, or the run says why not."""
 
-    def checked(self, verb, program, profile, takes="clip", data=None):
+    def checked(self, program, profile, takes="clip"):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "mine.subject")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(f"command {program}\ntakes {takes}\nprofile {profile}\n")
-            chosen = ["--subject" if verb == "check" else "--description", path,
-                      "--property", SHARED_EDGE, "--cases", "36"]  # fmt: skip
-            if verb == "check":
-                chosen += ["--property", EMBEDDED_MESH]
-            return run(*(["check"] if verb == "check" else ["pipe", verb]), *chosen, data=data)
+            return run("check", "--subject", path, "--property", SHARED_EDGE,
+                       "--property", EMBEDDED_MESH, "--cases", "36")  # fmt: skip
 
     def test_are_put_to_a_clip_space_subject_that_shares_ties(self):
-        done = self.checked("check", "tests/tool/clip_program.py", SHARED_TIES)
+        done = self.checked("tests/tool/clip_program.py", SHARED_TIES)
         self.assertEqual(done.returncode, 0, done.stdout.decode() + done.stderr.decode())
         self.assertEqual(held(done.stdout.decode()), 2, done.stdout)
 
     def test_find_a_crack_in_a_clip_space_subject(self):
-        done = self.checked("check", "tests/tool/clip_program.py crack", SHARED_TIES)
+        done = self.checked("tests/tool/clip_program.py crack", SHARED_TIES)
         self.assertEqual(done.returncode, 1, done.stdout.decode() + done.stderr.decode())
         self.assertIn(b"a gap in the mesh", done.stdout)
 
-    def test_are_put_to_an_inclusive_subject_on_a_pipe_laid_by_hand(self):
-        requests = self.checked("ask", "unused", SHARED_TIES)
-        self.assertEqual(requests.returncode, 0, requests.stderr)
-        answers = run("crack", program=os.path.join(SOURCES, "tests/tool/clip_program.py"),
-                      data=requests.stdout)  # fmt: skip
-        verdict = self.checked("judge", "unused", SHARED_TIES, data=answers.stdout)
-        self.assertEqual(verdict.returncode, 1, verdict.stdout.decode() + verdict.stderr.decode())
-
     def test_that_nothing_can_be_asked_about_is_said_and_inconclusive(self):
         profile = '{"name": "ties", "contract": "watertight", "tie_rule": "exclusive"}'
-        for verb in ("ask", "judge"):
-            done = self.checked(verb, "unused", profile, takes="window", data=b"")
-            self.assertEqual(done.returncode, 4, done.stderr)
-            self.assertIn(b"an exclusive tie rule never covers shared edges", done.stderr)
+        done = self.checked("kit/examples/program.py", profile, takes="window")
+        self.assertEqual(done.returncode, 4, done.stdout.decode() + done.stderr.decode())
+        self.assertIn(b"an exclusive tie rule never covers shared edges", done.stdout)
 
 
 class FaultySubjects(unittest.TestCase):
@@ -430,10 +397,13 @@ class Batches(unittest.TestCase):
         self.assertIn("it was sent a batch ", errors)
 
     def test_a_program_may_be_sent_vertices_once(self):
-        every, once = (self.check(f"command tests/tool/same_vertices.py\nprotocol {version}\n",
-                                  "--cases", "10") for version in (1, 2))  # fmt: skip
-        self.assertEqual(every[0], once[0])
-        self.assertEqual(["sent the same" in errors for _, errors in (every, once)], [False, True])
+        every, once, former = (self.check(f"command tests/tool/same_vertices.py\n{line}\n",
+                                          "--cases", "10")
+                               for line in ("takes window", "takes window same",
+                                            "protocol 2\ntakes window"))  # fmt: skip
+        self.assertEqual([text for text, _ in (once, former)], [every[0], every[0]])
+        self.assertEqual(["sent the same" in errors for _, errors in (every, once, former)],
+                         [False, True, True])  # fmt: skip
 
 
 class BadNames(unittest.TestCase):
@@ -491,9 +461,6 @@ class BadNames(unittest.TestCase):
                 with open(path, "w", encoding="utf-8") as file:
                     file.write(text)
                 self.check("coverage", SCENE, "--subject", path, words=[path, word])
-
-    def test_answers_that_end_early(self):
-        self.check("pipe", "judge", "--cases", "1", words=["standard input", "ends before"])
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""rounds:FOLDER: check, replay --shrink and infer in rounds as on a pipe, and what is refused.
+"""rounds:FOLDER: check, replay and infer in rounds as on a pipe, and what is refused.
 
 usage: rounds_test.py PROGRAM SOURCES
 """
@@ -102,26 +102,51 @@ class RoundsTest(unittest.TestCase):
         self.assertEqual(done.stdout.replace("rounds:rounds", "mine.subject"), here.stdout)
         self.assertEqual(len(json.loads(in_rounds)["scene"]["triangles"]), 2)
 
-    def test_judge_prints_the_line_that_starts_it(self):
+    def test_printed_commands_work_as_printed(self):
         self.describe("inclusive")
-        chosen = ("--description", "mine.subject", "--property", PROPERTY, "--cases", "10")
-        asked = self.run_here("pipe", "ask", *chosen).stdout
-        said = subprocess.run([sys.executable, DRAWS, "inclusive"], input=asked, timeout=900,
-                              capture_output=True, check=True, text=True).stdout  # fmt: skip
-        judged = subprocess.run([PROGRAM, "pipe", "judge", *chosen], input=said, timeout=900,
-                                capture_output=True, cwd=self.folder, text=True)  # fmt: skip
-        self.assertEqual(judged.returncode, 1, judged.stderr)
-        line = next(line for line in judged.stdout.splitlines()
-                    if "--subject rounds:FOLDER" in line)  # fmt: skip
-        done = self.run_here(*shlex.split(line.replace("FOLDER", "rounds"))[1:])
-        self.assertEqual(done.returncode, 4, done.stderr)
-        self.assertTrue(os.path.exists(os.path.join(self.folder, "rounds", "round-1.requests")))
+        done, rounds = Rounds(self.folder, "check", "--property", PROPERTY,
+                              "--cases", "10").to_the_end("inclusive")  # fmt: skip
+        self.assertEqual(done.returncode, 1, done.stderr)
+        replay = re.search("^replay: rasterproof (.*)$", done.stdout, re.M)[1]
+        infer = re.search("^to find .*: rasterproof (.*)$", done.stdout, re.M)[1]
+        again = self.run_here(*shlex.split(replay))  # what it asks was answered before
+        self.assertEqual(again.returncode, 1, again.stdout + again.stderr)
+        self.assertIn(f"replay: rasterproof {replay}\n", again.stdout)
+        asked = self.run_here(*shlex.split(infer))
+        self.assertEqual(asked.returncode, 4, asked.stderr)
+        self.assertIn(f"round-{rounds + 1}.requests", asked.stdout)
+
+    def test_replays_as_replay_does(self):
+        self.describe("inclusive")
+        case = (os.path.join(SOURCES, "scenes", "ties.json"), "--property", PROPERTY)
+        done, _ = Rounds(self.folder, "replay", *case).to_the_end("inclusive")
+        here = self.run_here("replay", *case, "--subject", "mine.subject")
+        self.assertEqual((done.returncode, here.returncode), (1, 1), done.stderr)
+        self.assertEqual(done.stdout.replace("rounds:rounds", "mine.subject"), here.stdout)
 
     def test_former_verbs_name_the_new_command(self):
-        for verb in ("shrink", "infer"):
-            done = self.run_here("pipe", verb, "--rounds", "rounds")
-            self.assertEqual(done.returncode, 2)
-            self.assertIn("--subject rounds:FOLDER", done.stderr)
+        for verb in ("ask", "judge", "shrink", "infer"):
+            for more in (("--cases", "5"), ("--help",)):
+                done = self.run_here("pipe", verb, *more)
+                self.assertEqual(done.returncode, 2)
+                self.assertIn("--subject rounds:FOLDER", done.stderr)
+
+    def test_a_refusal_is_counted_and_a_fault_is_shrunk(self):
+        self.describe()
+        for word, said in (("refused", r"exercised in \d+ of 9 cases, 1 refused"),
+                           ("fault", "round 2 has ")):  # fmt: skip
+            verb = Rounds(self.folder, "check", "--property", "DegenerateTrianglesCoverNothing",
+                          "--cases", "9")  # fmt: skip
+            verb.ask()
+            verb.answer(1)
+            with open(verb.path(1, "answers"), encoding="utf-8") as file:
+                answers = file.read()
+            with open(verb.path(1, "answers"), "w", encoding="utf-8") as file:
+                file.write(f"{word} 1 no\n" + answers[answers.index("counts 2"):])
+            with self.subTest(word):
+                self.assertRegex(verb.ask().stdout, said)
+            for name in ("rounds.json", "round-1.requests", "round-1.answers"):
+                os.remove(os.path.join(verb.directory, name))
 
     def test_other_verbs_refuse_the_subject(self):
         self.describe()
@@ -225,16 +250,13 @@ class RoundsTest(unittest.TestCase):
         with open(shrink.path(1, "requests"), encoding="utf-8") as file:
             self.assertEqual(file.read(), requests)
 
-    def test_a_folder_of_another_task_is_refused(self):
+    def test_a_folder_of_another_program_is_refused(self):
         self.describe("inclusive")
         self.shrink().ask()
-        self.assert_refused(self.shrink("--evaluations", "7").ask(),
-                            "rounds.json", "about another number of evaluations")  # fmt: skip
-        self.assert_refused(self.shrink("--profile", "gl-canonical").ask(), "about another")
-        self.assert_refused(self.infer().ask(), "about another verb")
-        other = self.shrink()
-        other.command = [a.replace("ties.json", "fan.json") for a in other.command]
-        self.assert_refused(other.ask(), "about another case")
+        self.assert_refused(self.shrink("--profile", "gl-canonical").ask(),
+                            "rounds.json", "about another description or profile")  # fmt: skip
+        self.describe("other")
+        self.assert_refused(self.infer().ask(), "about another description or profile")
 
     def damage(self, change):
         """The call after a round whose answers were changed."""

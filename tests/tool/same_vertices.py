@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A program that speaks version 2, and passes draws on to the example, which speaks version 1."""
+"""A program that takes `same`, and passes draws on to the example, which does not."""
 import os
 import subprocess
 import sys

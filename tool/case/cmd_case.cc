@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "core/error.h"
-#include "core/hash_text.h"
 #include "core/quoted.h"
 #include "exact/coverage.h"
 #include "fmt/format.h"
@@ -243,50 +242,40 @@ int Replay(const ReplayOptions& options, LoadedCase loaded) {
 
 namespace {
 
-void RequireShrinkable(const ReplayOptions& options, const LoadedCase& loaded) {
-  if (options.shrink.empty()) {
-    throw InputError(options.choice.subject, "one case is no reason for rounds",
-                     "give --shrink FILE, or judge one case where the program runs");
-  }
-  RequireTakes(*loaded.subject, loaded.value.scene, "case");
-  RequireDrawsSamples(*loaded.subject, loaded.value.profile, "case");
-  const props::Property& property = PropertyOf(loaded);
-  if (!property.is_about_sequence) return;
-  throw InputError(fmt::format("property {}", property.name),
-                   "it needs a sequence of calls, and a file of requests is one call",
-                   "shrink it where the program runs: replay --shrink --exec");
-}
-
-// Each call shrinks on the answers of all earlier rounds.
-int ShrinkInRounds(const ReplayOptions& options) {
+// Each call goes on by the answers of all earlier rounds.
+int ReplayInRounds(const ReplayOptions& options) {
   const CaseChoice& choice = options.choice;
   // More of them make rounds fewer, but slowly: what is asked is foreseen by its likelihood.
   constexpr props::RoundSize kOfShrinking{.requests = 1000};
   FarProgram program(choice.subject, choice.profile, kOfShrinking, /*device=*/false,
                      choice.list_length);
   LoadedCase loaded = LoadCase(choice, "replay", program.Maker());
-  RequireShrinkable(options, loaded);
+  RequireDraws(loaded);
   const props::Property& property = PropertyOf(loaded);
-  const props::PulledShrink& shrink = program.Add(std::make_unique<props::PulledShrink>(
-      property, loaded.value, ShrinkingBy(*loaded.subject, options.evaluations)));
+  if (property.is_about_sequence) {
+    throw InputError(fmt::format("property {}", property.name),
+                     "it needs a sequence of calls, and a file of requests is one call",
+                     "replay it where the program runs: --exec");
+  }
+  const props::PulledShrink* shrink = nullptr;
+  if (!options.shrink.empty()) {
+    shrink = &program.Add(std::make_unique<props::PulledShrink>(
+        property, loaded.value, ShrinkingBy(*loaded.subject, options.evaluations)));
+  }
   const auto ask = [&] {
-    const Counterexample& found = shrink.result();
-    if (found.outcome != Outcome::kViolated) return;
-    Verdict verdict = found.verdict;
-    SeeIfItCan(*loaded.subject, found.value, verdict);  // the picture
+    Verdict verdict = shrink == nullptr ? Judge(loaded) : shrink->result().verdict;
+    if (verdict.outcome != Outcome::kViolated) return;
+    SeeIfItCan(*loaded.subject, shrink == nullptr ? loaded.value : shrink->result().value,
+               verdict);  // the picture
   };
-  return program.Run("shrink",
-                     {{"case", HashText(io::CaseToJson({loaded.value, "", ""}))},
-                      {"property", std::string(property.name)},
-                      {"number of evaluations", std::to_string(options.evaluations)}},
-                     ask, [&] { return Replay(options, std::move(loaded)); });
+  return program.Run(ask, [&] { return Replay(options, std::move(loaded)); });
 }
 
 }  // namespace
 
 int RunReplay(const ReplayOptions& options) {
   RequireHonestEnvironment();
-  if (options.choice.subject.starts_with(kRoundsPrefix)) return ShrinkInRounds(options);
+  if (options.choice.subject.starts_with(kRoundsPrefix)) return ReplayInRounds(options);
   return Replay(options, LoadCase(options.choice, "replay"));
 }
 

@@ -20,7 +20,6 @@
 #include "core/authority.h"
 #include "core/counters.h"
 #include "core/error.h"
-#include "core/hash_text.h"
 #include "core/quoted.h"
 #include "core/result.h"
 #include "fmt/format.h"
@@ -439,8 +438,6 @@ int CheckInRounds(CheckOptions options) {
   const ResolvedCheck asked = ResolveCheck(options);
   RequireFiles(options);
   const PulledRuns runs(program, asked.properties, options);
-  std::string names;
-  for (const props::Property* property : asked.properties) names += property->name;
   std::optional<Findings> found;
   const auto ask = [&] {  // saved failures and pictures; saves nothing yet
     CheckOptions unsaved = options;
@@ -452,11 +449,7 @@ int CheckInRounds(CheckOptions options) {
     Tell(asked, options, *found);
     return WriteAll(options, {*found});
   };
-  return program.Run("check",
-                     {{"properties", HashText(names)},
-                      {"seed", std::to_string(options.campaign.seed)},
-                      {"number of cases", std::to_string(options.campaign.cases)}},
-                     ask, tell);
+  return program.Run(ask, tell);
 }
 
 }  // namespace

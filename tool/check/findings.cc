@@ -41,13 +41,6 @@ std::uint64_t QualityOf(const Findings& found) {
   }));
 }
 
-// Of properties on given scenes. A campaign has counted the refusals of its cases itself.
-bool RefusesTooMuch(const Findings& found) {
-  const auto refused = static_cast<double>(CountOf(found, Outcome::kRefused));
-  const auto holds = static_cast<double>(CountOf(found, Outcome::kHolds));
-  return refused > props::kMostRefusedShare * (refused + holds);
-}
-
 // The outcome, or that it is a violation which fails nothing.
 std::string_view OutcomeWord(const PropertyResult& result, FailOn fail_on) {
   return IsLackOfQuality(result, fail_on) ? AuthorityName(Authority::kQuality)
@@ -140,7 +133,9 @@ bool FailsTheRun(const Findings& found, const Finding& finding) {
 
 int StatusOf(const Findings& found) {
   if (found.expired != 0 || CountOf(found, Outcome::kViolated) != 0) return kExitViolated;
-  if (CountOf(found, Outcome::kInconclusive) != 0 || RefusesTooMuch(found))
+  if (CountOf(found, Outcome::kInconclusive) != 0) return kExitInconclusive;
+  // Of properties on given scenes. A campaign has counted the refusals of its cases itself.
+  if (props::RefusesTooMuch(CountOf(found, Outcome::kRefused), CountOf(found, Outcome::kHolds)))
     return kExitInconclusive;
   const bool is_any = CountOf(found, Outcome::kHolds) + QualityOf(found) + Known(found) != 0;
   return is_any ? kExitHolds : kExitInconclusive;

@@ -174,9 +174,8 @@ int InferInRounds(const InferOptions& options) {
   props::InferOptions choice;
   choice.seed = options.seed;
   const props::PulledInfer& infer = program.Add(std::make_unique<props::PulledInfer>(choice));
-  return program.Run(
-      "infer", {{"seed", std::to_string(options.seed)}}, [] {},
-      [&] { return TellInference(infer.result(), program.Info(), options.json); });
+  return program.Run([] {},
+                     [&] { return TellInference(infer.result(), program.Info(), options.json); });
 }
 
 }  // namespace

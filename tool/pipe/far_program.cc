@@ -103,15 +103,12 @@ int FarProgram::GoOn(Rounds& rounds, const std::function<void()>& ask,
   return jobs.empty() ? tell() : TellAsked(rounds, jobs);
 }
 
-int FarProgram::Run(std::string_view verb, const RoundsTask& task, const std::function<void()>& ask,
-                    const std::function<int()>& tell) {
+int FarProgram::Run(const std::function<void()>& ask, const std::function<int()>& tell) {
   const std::string file = DescriptionIn(folder_);
-  RoundsTask whole{{"verb", std::string(verb)},
-                   {"description or profile", HashText((file.empty() ? "" : io::ReadFile(file)) +
-                                                       io::ProfileToJson(Info().profile))}};
-  whole.insert(whole.end(), task.begin(), task.end());
+  const std::string stated =
+      (file.empty() ? "" : io::ReadFile(file)) + io::ProfileToJson(Info().profile);
   try {
-    Rounds rounds(folder_, std::move(whole), engine_);
+    Rounds rounds(folder_, HashText(stated), engine_);
     return GoOn(rounds, ask, tell);
   } catch (const ChangedAnswer& changed) {
     io::WriteStandardOutput(fmt::format("inconclusive: {}\n", changed.what()));

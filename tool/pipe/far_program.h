@@ -6,7 +6,6 @@
 #include <functional>
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "core/subject_info.h"
@@ -17,7 +16,8 @@
 namespace rasterproof::tool {
 
 /// What the program states is in FOLDER/program.subject, if that is there. Each call of a verb runs
-/// it on the answers of all earlier rounds, and writes the next round where one is missing.
+/// it on the answers of all earlier rounds, other verbs' too, and writes the next round where an
+/// answer is missing.
 class FarProgram {
  public:
   /// Names the subject, and how it is judged, as ResolveSubject() does.
@@ -33,15 +33,13 @@ class FarProgram {
   const Work& Add(std::unique_ptr<Work> work) {
     return engine_.Add(std::move(work));
   }
-  /// Reads the folder, which is about this verb and task alone, and goes on with the works. Once
-  /// they have their results: calls `ask`, which draws what is to be told, and, when that is
-  /// answered too, `tell`.
+  /// Reads the folder and goes on with the works. Once they have their results: calls `ask`, which
+  /// draws what is to be told, and, when that is answered too, `tell`.
   ///
   /// Returns:    what `tell` does; kExitInconclusive, said why, while answers are missing or if one
   ///             of them changed; InterruptStatus() of a command that was interrupted.
   /// Error:      InputError, as Rounds.
-  int Run(std::string_view verb, const RoundsTask& task, const std::function<void()>& ask,
-          const std::function<int()>& tell);
+  int Run(const std::function<void()>& ask, const std::function<int()>& tell);
 
  private:
   int GoOn(Rounds& rounds, const std::function<void()>& ask, const std::function<int()>& tell);

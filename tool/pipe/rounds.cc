@@ -19,7 +19,6 @@ namespace rasterproof::tool {
 namespace {
 
 constexpr int kRoundsVersion = 1;
-constexpr std::string_view kProgram = "version of rasterproof";
 
 // The answers of a file.
 class AnswersText {
@@ -92,22 +91,14 @@ std::vector<DrawJob> JobsOf(const std::string& requests, const std::string& path
 
 }  // namespace
 
-Rounds::Rounds(std::string folder, RoundsTask task, props::PulledEngine& engine)
-    : folder_(std::move(folder)), task_(std::move(task)), engine_(engine) {
-  task_.emplace_back(kProgram, RASTERPROOF_VERSION);
+Rounds::Rounds(std::string folder, std::string stated, props::PulledEngine& engine)
+    : folder_(std::move(folder)), stated_(std::move(stated)), engine_(engine) {
   if (std::filesystem::exists(StatePath())) ReadState();
   for (std::size_t n = 1; n <= rounds_.size() && !waits_for_; ++n) ReadRound(n);
 }
 
 std::string Rounds::PathOf(std::size_t round, std::string_view ending) const {
   return fmt::format("{}/round-{}.{}", folder_, round, ending);
-}
-
-void Rounds::RequireTask(std::string_view name, std::string_view value) const {
-  const auto it = std::ranges::find(task_, name, [](const auto& item) { return item.first; });
-  if (it != task_.end() && it->second == value) return;
-  throw InputError(StatePath(), fmt::format("its rounds are about another {}", name),
-                   "repeat the command that began them, or give another folder");
 }
 
 void Rounds::ReadState() {
@@ -122,10 +113,12 @@ void Rounds::ReadState() {
     throw version.Error(fmt::format("is not version {}", kRoundsVersion),
                         "give another folder, or the program that began this one");
   }
-  RequireTask(kProgram, root.Get("program").RequireString());
-  for (const io::JsonValue item : root.Get("task").RequireArray()) {
-    RequireTask(item.Get("name").RequireString(), item.Get("value").RequireString());
-  }
+  const auto require = [&](std::string_view key, std::string_view value, const std::string& what) {
+    if (root.Get(key).RequireString() == value) return;
+    throw InputError(StatePath(), "its rounds are about another " + what, "give another folder");
+  };
+  require("program", RASTERPROOF_VERSION, "version of rasterproof");
+  require("stated_fnv1a64", stated_, "description or profile");
   for (const io::JsonValue item : root.Get("rounds").RequireArray()) {
     rounds_.push_back({integer(item.Get("requests")),
                        std::string(item.Get("requests_fnv1a64").RequireString()),
@@ -138,15 +131,7 @@ void Rounds::WriteState() const {
   json.BeginObject();
   json.Key("rasterproof_rounds").Integer(kRoundsVersion);
   json.Key("program").Text(RASTERPROOF_VERSION);
-  json.Key("task").BeginArray();
-  for (const auto& [name, value] : task_) {
-    if (name == kProgram) continue;
-    json.BeginObjectLine();
-    json.Key("name").Text(name);
-    json.Key("value").Text(value);
-    json.EndObject();
-  }
-  json.EndArray();
+  json.Key("stated_fnv1a64").Text(stated_);
   json.Key("rounds").BeginArray();
   for (const Round& round : rounds_) {
     json.BeginObjectLine();

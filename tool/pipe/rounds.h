@@ -10,7 +10,6 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "core/drawing.h"
@@ -18,25 +17,24 @@
 
 namespace rasterproof::tool {
 
-/// What a folder of rounds is about, name and value: "case", the hash of its text; "seed", "1".
-using RoundsTask = std::vector<std::pair<std::string, std::string>>;
-
 /// Two answers to one request differ: the program is not deterministic.
 class ChangedAnswer : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// A folder with rounds.json, and round-N.requests and round-N.answers of every round: what was
-/// answered is known to the engine, what the engine asks next makes up the next round.
+/// A folder with rounds.json, and round-N.requests and round-N.answers of every round, whichever
+/// verb asked: what was answered is known to the engine, what the engine asks next makes up the
+/// next round.
 class Rounds {
  public:
-  /// Reads the folder, which may be new. The engine outlives this.
+  /// Reads the folder, which may be new. `stated` is a hash of what the program states. The engine
+  /// outlives this.
   ///
   /// Error:      InputError with the file, the line and the remedy: the folder is about another
-  ///             task, a file changed after it was read, an answer is missing or is none.
+  ///             program, a file changed after it was read, an answer is missing or is none.
   ///             ChangedAnswer with both places.
-  Rounds(std::string folder, RoundsTask task, props::PulledEngine& engine);
+  Rounds(std::string folder, std::string stated, props::PulledEngine& engine);
 
   /// The path of the answers that are waited for; nothing if all rounds have theirs.
   const std::optional<std::string>& waits_for() const { return waits_for_; }
@@ -61,14 +59,13 @@ class Rounds {
 
   std::string StatePath() const { return folder_ + "/rounds.json"; }
   void ReadState();
-  void RequireTask(std::string_view name, std::string_view value) const;
   void WriteState() const;
   void ReadRound(std::size_t number);
   void Note(const DrawJob& job, const DrawOutcome& outcome, const Place& place);
   std::string Spelled(const DrawJob& job) const;
 
   std::string folder_;
-  RoundsTask task_;
+  std::string stated_;
   props::PulledEngine& engine_;
   std::vector<Round> rounds_;
   std::uint64_t last_id_ = 0;

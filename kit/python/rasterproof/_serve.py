@@ -1,4 +1,4 @@
-"""Answers requests of protocol 3, arrays in NPY, with a function that draws."""
+"""Answers requests with arrays in NPY, with a function that draws."""
 
 import io
 import os
@@ -50,8 +50,8 @@ class Requests:
 
     def request(self, words):
         if words[:1] != ["draw"] or "npy" not in words[8:]:
-            raise ValueError(f"a request of protocol 3 was expected, not {' '.join(words)!r}; say "
-                             "protocol 3 in the description")  # fmt: skip
+            raise ValueError(f"a request with npy was expected, not {' '.join(words)!r}; say "
+                             "takes window npy in the description")  # fmt: skip
         if words[6] != "same":
             self.vertices = read_array(self.stream)
         triangles = read_array(self.stream)

@@ -203,12 +203,12 @@ def _served(draw):
 def _description(profile, *, format, coverage, clip, batches, relay):  # noqa: A002
     if format not in ("float32", "float64") and not format.startswith("fixed "):
         raise BadArgument(f"format: {format!r}; give float32, float64 or fixed N.M signed")
-    takes = ("clip" if clip else "window") + (" batches" if batches else "")
+    takes = ("clip" if clip else "window") + (" batches" if batches else "") + " same npy"
     text = profile_text(profile)
     if text.lstrip().startswith("{"):
         text = json.dumps(json.loads(text))  # on one line
     lines = [f"command {relay}", f"input {format}", f"coverage {coverage}",
-             f"takes {takes}", "protocol 3", f"profile {text}"]  # fmt: skip
+             f"takes {takes}", f"profile {text}"]  # fmt: skip
     return "\n".join(lines) + "\n"
 
 

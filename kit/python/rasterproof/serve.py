@@ -1,9 +1,9 @@
-"""A function that draws, as a program on rasterproof's pipe (protocol 3, arrays in NPY).
+"""A function that draws, as a program on rasterproof's pipe (arrays in NPY).
 
     rasterproof check --subject mine.subject
 with the lines
     command python3 -m rasterproof.serve mine:draw
-    protocol 3
+    takes window same npy
 
 `draw(triangles, size)` gets float64 (n, 3, 2), pixels, and (width, height), and returns how many
 triangles cover each sample: integers (height, width), or (height, width, samples). After --clip it

@@ -14,9 +14,9 @@ namespace rasterproof::tool {
 /// (float32, float64, or as "fixed 12.4 signed wrap": fixed point, signed or unsigned, wrap or
 /// nothing), coverage (facing-counts, counts, mask, primitive-id or fragments), visible (last-drawn
 /// or first-drawn), barycentrics-of (given, snapped or either), barycentric-error and depth-error
-/// (absolute), shows (edges, steps, centroids, values, derivatives), edge-error and stepping-error (exact, or as in EdgeInfo),
-/// takes (any of window, clip, culling, scissor, tiles, threads, batches, repeats), clock (elapsed
-/// if another processor draws), protocol (the version
+/// (absolute), shows (any of edges, steps, centroids, values, derivatives), edge-error and
+/// stepping-error (exact, or as in EdgeInfo), takes (any of window, clip, culling, scissor, tiles,
+/// threads, batches, repeats), clock (elapsed if another processor draws), protocol (the version
 /// that it speaks, see subjects/process/protocol.h; 1 if it says nothing), profile (a preset, or a
 /// profile file's JSON on the one line). Lines that begin with # are comments.
 struct ProgramDescription {

@@ -143,7 +143,7 @@ TEST(ValueJson, BadChannelsAreRefusedWithTheRemedy) {
       {R"([{"name": "u", "values": [1, 2]}])", "has 2 numbers for 3 vertices; write one a vertex"},
       {R"([{"name": "u", "values": [1, 2, 3, 4]}])", "has 4 numbers for 3 vertices"},
       {R"([{"name": "u", "values": [1, 2, "x"]}])", "x"},
-      {R"([{"name": "u", "values": [1, 2, 0.1]}])", "float32"},
+      {R"([{"name": "u", "values": [1, 2, "0x1.0000001p+0"]}])", "float32"},
       {R"([{"name": "u", "interpolation": "smooth", "values": [1, 2, 3]}])",
        "flat, linear, perspective and inverse-w"},
       {R"([{"name": "u", "at": "corner", "values": [1, 2, 3]}])", "sample, centre and centroid"},

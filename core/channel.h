@@ -2,9 +2,12 @@
 #ifndef RASTERPROOF_CORE_CHANNEL_H_
 #define RASTERPROOF_CORE_CHANNEL_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace rasterproof {
@@ -24,11 +27,22 @@ enum class EvaluatedAt : std::uint8_t {
   kCentroid  ///< where the profile's key `centroid` says
 };
 
+/// Their names in files and on a pipe.
+inline constexpr std::array<std::pair<Interpolation, std::string_view>, 4> kInterpolationNames{
+    {{Interpolation::kFlat, "flat"},
+     {Interpolation::kLinear, "linear"},
+     {Interpolation::kPerspective, "perspective"},
+     {Interpolation::kInverseW, "inverse-w"}}};
+inline constexpr std::array<std::pair<EvaluatedAt, std::string_view>, 3> kEvaluatedAtNames{
+    {{EvaluatedAt::kSample, "sample"},
+     {EvaluatedAt::kCentre, "centre"},
+     {EvaluatedAt::kCentroid, "centroid"}}};
+
 inline constexpr std::size_t kMostChannels = 64;
 
 /// A named number at each vertex.
 struct Channel {
-  std::string name = {};
+  std::string name = {};  ///< one word: neither empty nor with blanks or control characters
   Interpolation interpolation = Interpolation::kPerspective;
   EvaluatedAt at = EvaluatedAt::kSample;
   /// One a vertex; none for kInverseW. A number of the scene's precision.

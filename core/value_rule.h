@@ -64,8 +64,8 @@ struct ValueRule {
   bool centroids = false;
   DepthFormat depth = DepthFormat::kUnstated;
   DepthRounding depth_rounding = DepthRounding::kEither;
-  ValueError error;
-  ValueError derivative_error;
+  ValueError error = {};
+  ValueError derivative_error = {};
   bool equal_stay_equal = false;   ///< equal numbers at the vertices give that number, to the bit
   bool exact_at_vertices = false;  ///< a sample at a vertex holds its number, to the bit
   bool stays_in_hull = false;      ///< a value lies between the least and the greatest

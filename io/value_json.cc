@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/quoted.h"
 #include "io/json_members.h"
 #include "io/scene_json.h"
 
@@ -30,16 +31,6 @@ constexpr std::array<std::pair<DerivativesBy, std::string_view>, 4> kDerivatives
      {DerivativesBy::kAnalytic, "analytic"},
      {DerivativesBy::kFine, "fine"},
      {DerivativesBy::kCoarse, "coarse"}}};
-constexpr std::array<std::pair<Interpolation, std::string_view>, 4> kInterpolations{
-    {{Interpolation::kFlat, "flat"},
-     {Interpolation::kLinear, "linear"},
-     {Interpolation::kPerspective, "perspective"},
-     {Interpolation::kInverseW, "inverse-w"}}};
-constexpr std::array<std::pair<EvaluatedAt, std::string_view>, 3> kPlaces{
-    {{EvaluatedAt::kSample, "sample"},
-     {EvaluatedAt::kCentre, "centre"},
-     {EvaluatedAt::kCentroid, "centroid"}}};
-
 constexpr std::array<std::pair<DepthFormat, std::string_view>, 6> kDepths{
     {{DepthFormat::kUnstated, "unstated"},
      {DepthFormat::kFloat32, "float32"},
@@ -94,15 +85,24 @@ void WriteError(JsonWriter& json, std::string_view key, const ValueError& error)
   json.EndObject();
 }
 
+// A word, which a program on a pipe reads up to the next blank.
+std::string ChannelName(const JsonValue& value) {
+  std::string name(value.RequireString());
+  if (!name.empty() && name == ShownName(name) && name.find_first_of(" \t") == std::string::npos)
+    return name;
+  throw value.Error("is no word", "write one without blanks, such as \"u\" or \"light.red\"");
+}
+
 Channel ChannelFromJson(const JsonValue& value, std::size_t vertices, Precision precision) {
   value.RequireObject(kChannelKeys);
   Channel channel;
-  channel.name = value.Get("name").RequireName();
+  channel.name = ChannelName(value.Get("name"));
   ReadIfThere(value, "interpolation", channel.interpolation, [](const JsonValue& v) {
-    return FromName(v, Names<Interpolation>(kInterpolations));
+    return FromName(v, Names<Interpolation>(kInterpolationNames));
   });
-  ReadIfThere(value, "at", channel.at,
-              [](const JsonValue& v) { return FromName(v, Names<EvaluatedAt>(kPlaces)); });
+  ReadIfThere(value, "at", channel.at, [](const JsonValue& v) {
+    return FromName(v, Names<EvaluatedAt>(kEvaluatedAtNames));
+  });
   const bool has_numbers = channel.interpolation != Interpolation::kInverseW;
   if (!has_numbers) {
     if (const auto values = value.Find("values")) {
@@ -187,9 +187,9 @@ void WriteChannels(JsonWriter& json, const std::vector<Channel>& channels) {
   for (const Channel& channel : channels) {
     json.BeginObject(kOneLine).Key("name").Text(channel.name);
     json.Key("interpolation")
-        .Text(NameOf(channel.interpolation, Names<Interpolation>(kInterpolations)));
+        .Text(NameOf(channel.interpolation, Names<Interpolation>(kInterpolationNames)));
     if (channel.at != EvaluatedAt::kSample)
-      json.Key("at").Text(NameOf(channel.at, Names<EvaluatedAt>(kPlaces)));
+      json.Key("at").Text(NameOf(channel.at, Names<EvaluatedAt>(kEvaluatedAtNames)));
     if (channel.interpolation != Interpolation::kInverseW) {
       json.Key("values").BeginArray(kOneLine);
       for (const double x : channel.values) json.Exact(x);

@@ -20,6 +20,8 @@
 namespace rasterproof::tool {
 namespace {
 
+using namespace std::string_literals;
+
 template <class T, std::size_t n>
 using Names = std::array<std::pair<std::string_view, T>, n>;
 
@@ -50,10 +52,12 @@ constexpr Names<bool SubjectInfo::*, 11> kTakes{{{"window", &SubjectInfo::takes_
                                                  {"npy", &SubjectInfo::takes_npy}}};
 
 using Flag = bool& (*)(SubjectInfo&);
-constexpr Names<Flag, 3> kShows{
+constexpr Names<Flag, 5> kShows{
     {{"edges", [](SubjectInfo& info) -> bool& { return info.edges.shows_values; }},
      {"steps", [](SubjectInfo& info) -> bool& { return info.edges.shows_steps; }},
-     {"centroids", [](SubjectInfo& info) -> bool& { return info.fragments.shows_centroids; }}}};
+     {"centroids", [](SubjectInfo& info) -> bool& { return info.fragments.shows_centroids; }},
+     {"values", [](SubjectInfo& info) -> bool& { return info.fragments.shows_values; }},
+     {"derivatives", [](SubjectInfo& info) -> bool& { return info.fragments.shows_derivatives; }}}};
 
 template <class Table>
 std::string NamesIn(const Table& table) {
@@ -229,10 +233,17 @@ void RequireWhatItShows(const SubjectInfo& info, const std::string& place) {
     throw InputError(place, "it describes barycentrics or depths but shows none",
                      "add a line: coverage fragments");
   }
-  if (properties.shows_centroids &&
+  const bool shows_values = properties.shows_values || properties.shows_derivatives;
+  if ((properties.shows_centroids || shows_values) &&
       (info.coverage != CoverageKind::kFragments || !info.takes_wants)) {
-    throw InputError(place, "centroids need fragments, and requests that want them",
+    throw InputError(place,
+                     fmt::format("{} need fragments, and requests that want them",
+                                 properties.shows_centroids ? "centroids" : "values"),
                      "add a line: coverage fragments, and the word wants under takes");
+  }
+  if (properties.shows_derivatives && !properties.shows_values) {
+    throw InputError(place, "it shows derivatives without values",
+                     "write: shows values derivatives");
   }
   if (properties.visible != nothing.visible && !ShowsPrimitiveIds(info)) {
     throw InputError(place, "it says which triangle is visible but does not show it",
@@ -314,7 +325,10 @@ std::string DescriptionText(const SubjectInfo& info, const std::string& profile)
   if (properties.barycentric_error > 0)
     text += fmt::format("barycentric-error {}\n", properties.barycentric_error);
   if (properties.depth_error > 0) text += fmt::format("depth-error {}\n", properties.depth_error);
-  if (properties.shows_centroids) text += "shows centroids\n";
+  const std::string shows = (properties.shows_centroids ? " centroids"s : ""s) +
+                            (properties.shows_values ? " values" : "") +
+                            (properties.shows_derivatives ? " derivatives" : "");
+  if (!shows.empty()) text += fmt::format("shows{}\n", shows);
   return text;
 }
 

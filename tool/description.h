@@ -14,11 +14,11 @@ namespace rasterproof::tool {
 /// (float32, float64, or as "fixed 12.4 signed wrap": fixed point, signed or unsigned, wrap or
 /// nothing), coverage (facing-counts, counts, mask, primitive-id or fragments), visible (last-drawn
 /// or first-drawn), barycentrics-of (given, snapped or either), barycentric-error and depth-error
-/// (absolute), shows (edges, steps), edge-error and stepping-error (exact, or as in EdgeInfo),
-/// takes (any of window, clip, culling, scissor, tiles, threads, batches, repeats, same, wants,
-/// npy), clock (elapsed if another processor draws), profile (a preset, or a profile file's JSON on
-/// the one line), protocol (as earlier versions had it: 2 stands for takes same wants, 3 for npy
-/// too). Lines that begin with # are comments.
+/// (absolute), shows (any of edges, steps, centroids, values, derivatives), edge-error and
+/// stepping-error (exact, or as in EdgeInfo), takes (any of window, clip, culling, scissor, tiles,
+/// threads, batches, repeats, same, wants, npy), clock (elapsed if another processor draws), profile
+/// (a preset, or a profile file's JSON on the one line), protocol (as earlier versions had it: 2
+/// stands for takes same wants, 3 for npy too). Lines that begin with # are comments.
 struct ProgramDescription {
   SubjectInfo info;
   std::string command;

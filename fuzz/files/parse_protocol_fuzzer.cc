@@ -33,6 +33,7 @@ std::string Rewritten(std::string_view text) {
   info.takes_same = info.takes_wants = info.takes_npy = true;
   info.coverage = CoverageKind::kFragments;
   info.takes_threads = true;
+  info.fragments.shows_values = info.fragments.shows_derivatives = true;
   std::string written;
   for (std::uint64_t id = 1;;) {
     if (const auto edge = reader.NextEdgeRequest()) {

@@ -71,7 +71,13 @@ bool SameCase(const Case& a, const Case& b) {
     using Bits = std::array<std::uint64_t, 4>;
     return std::bit_cast<Bits>(v) == std::bit_cast<Bits>(w);
   };
+  const auto same_channel = [](const Channel& p, const Channel& q) {
+    return p.name == q.name && p.interpolation == q.interpolation && p.at == q.at &&
+           std::ranges::equal(p.values, q.values, {}, std::bit_cast<std::uint64_t, double>,
+                              std::bit_cast<std::uint64_t, double>);
+  };
   return std::ranges::equal(a.scene.vertices, b.scene.vertices, same_bits) &&
+         std::ranges::equal(a.scene.channels, b.scene.channels, same_channel) &&
          a.scene.triangles == b.scene.triangles && a.scene.name == b.scene.name &&
          a.scene.width == b.scene.width && a.scene.height == b.scene.height &&
          a.scene.precision == b.scene.precision && a.scene.clip_space == b.scene.clip_space &&

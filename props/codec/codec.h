@@ -31,7 +31,8 @@ Case LatticeCase(BitSource& bits, const SubjectInfo& info);
 /// name nor origin, else the raw code.
 ///
 /// Domain:     a case whose scene the subject takes, with options that it takes, judged by
-///             info.profile; no more than 2^18 triangles and as many vertices.
+///             info.profile; no more than 2^18 triangles and as many vertices; without channels,
+///             which no byte encodes: those of another case are left out.
 /// Properties: DecodeCase(EncodeCase(c, info), info) is c, bit by bit.
 std::vector<std::uint8_t> EncodeCase(const Case& c, const SubjectInfo& info);
 

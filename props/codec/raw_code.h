@@ -34,7 +34,7 @@ bool IsRawCode(std::span<const std::uint8_t> bytes);
 /// Domain:     any bytes that IsRawCode.
 Case RawCase(std::span<const std::uint8_t> bytes, const SubjectInfo& info);
 
-/// The raw code of a case. Its profile is not part of it.
+/// The raw code of a case. Its profile and its channels are not part of it.
 ///
 /// Domain:     as EncodeCase.
 std::vector<std::uint8_t> RawCodeOf(const Case& c);

@@ -25,6 +25,18 @@ void AddRaw(std::string& bytes, const T& value) {
   bytes.append(raw, sizeof(T));
 }
 
+void AddChannels(std::string& bytes, const std::vector<Channel>& channels) {
+  AddNumber(bytes, channels.size());
+  for (const Channel& channel : channels) {
+    AddNumber(bytes, channel.name.size());
+    bytes += channel.name;
+    AddRaw(bytes, channel.interpolation);
+    AddRaw(bytes, channel.at);
+    AddNumber(bytes, channel.values.size());
+    for (const double x : channel.values) AddRaw(bytes, x);
+  }
+}
+
 // All that a draw may depend on.
 std::string BytesOfJob(const DrawJob& job) {
   const Scene& scene = *job.scene;
@@ -36,13 +48,15 @@ std::string BytesOfJob(const DrawJob& job) {
        {scene.width, scene.height, job.samples, scene.clip_space ? 1 : 0,
         static_cast<int>(scene.precision), static_cast<int>(o.cull), o.tile, o.threads,
         static_cast<int>(o.float_mode), r.x0, r.y0, r.x1, r.y1, job.wants.primitive_ids ? 1 : 0,
-        job.wants.barycentrics ? 1 : 0, job.wants.depths ? 1 : 0, job.wants.centroids ? 1 : 0}) {
+        job.wants.barycentrics ? 1 : 0, job.wants.depths ? 1 : 0, job.wants.centroids ? 1 : 0,
+        job.wants.values ? 1 : 0, job.wants.derivatives ? 1 : 0}) {
     AddRaw(bytes, n);
   }
   AddNumber(bytes, scene.vertices.size());
   for (const Vertex& v : scene.vertices) {
     for (const double x : {v.x, v.y, v.z, v.w}) AddRaw(bytes, x);
   }
+  if (job.wants.values) AddChannels(bytes, scene.channels);
   for (const Triangle& t : job.Triangles()) AddRaw(bytes, t);
   return bytes;
 }

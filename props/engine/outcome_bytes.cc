@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/call_end.h"
+#include "core/channel.h"
 #include "core/drawing.h"
 #include "core/scene.h"
 #include "props/engine/known_answers.h"
@@ -110,7 +111,15 @@ class OutcomeReader {
   bool is_good_ = true;
 };
 
-// Whether each output that is there has a value for every sample; a draw that ended has none.
+bool HasValuesOf(const Drawing& drawing, std::uint64_t samples) {
+  const std::size_t values = drawing.values.size();
+  return (values == 0 ||
+          (samples != 0 && values % samples == 0 && values / samples <= kMostChannels)) &&
+         (drawing.derivatives.empty() || drawing.derivatives.size() == values);
+}
+
+// Whether each output that is there has a value for every sample, of each channel one; a draw that
+// ended has none.
 bool HasItsShape(const Drawing& drawing) {
   const CoverageCounts& counts = drawing.counts;
   const std::uint64_t pixels =
@@ -122,7 +131,7 @@ bool HasItsShape(const Drawing& drawing) {
   };
   return counts.front.size() == samples && counts.back.size() == samples &&
          fits(drawing.primitive_ids) && fits(drawing.barycentrics) && fits(drawing.depths) &&
-         fits(drawing.centroids);
+         fits(drawing.centroids) && HasValuesOf(drawing, samples);
 }
 
 }  // namespace
@@ -141,6 +150,8 @@ std::string OutcomeBytes(const DrawOutcome& outcome) {
   out.Raw(drawing.barycentrics);
   out.Raw(drawing.depths);
   out.Raw(drawing.centroids);
+  out.Raw(drawing.values);
+  out.Raw(drawing.derivatives);
   return out.Take();
 }
 
@@ -159,6 +170,8 @@ std::optional<DrawOutcome> ReadOutcome(std::string_view bytes) {
   in.Raw(drawing.barycentrics);
   in.Raw(drawing.depths);
   in.Raw(drawing.centroids);
+  in.Raw(drawing.values);
+  in.Raw(drawing.derivatives);
   const bool is_one = in.IsAtEnd() && HasItsShape(drawing);
   return is_one ? std::optional(std::move(outcome)) : std::nullopt;
 }

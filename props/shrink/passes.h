@@ -36,7 +36,7 @@ void SimplifyEachCoordinate(Attempts& attempts);
 /// Numbers to try in place of x, boldest first. Not all of them cost less.
 std::vector<double> SimplerCoordinates(double x);
 
-/// Returns the case without the vertices that no triangle uses.
+/// Returns the case without the vertices that no triangle uses, and their numbers in channels.
 Case WithoutUnusedVertices(Case c);
 
 }  // namespace rasterproof::props

@@ -81,6 +81,17 @@ bool TryCrop(Attempts& attempts, CropSide side, int pixels) {
   return attempts.Try(std::move(c));
 }
 
+// Removes what belongs to vertices of index -1 from a list that has one of each vertex.
+template <class T>
+void KeepUsed(std::vector<T>& each, const std::vector<std::int32_t>& moved) {
+  if (each.size() != moved.size()) return;
+  std::size_t used = 0;
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    if (moved[i] >= 0) each[used++] = each[i];
+  }
+  each.resize(used);
+}
+
 }  // namespace
 
 Case WithoutUnusedVertices(Case c) {
@@ -89,16 +100,13 @@ Case WithoutUnusedVertices(Case c) {
   for (const Triangle& t : scene.triangles) {
     for (const std::int32_t index : t) moved[static_cast<std::size_t>(index)] = 0;
   }
-  std::vector<Vertex> used;
-  for (std::size_t i = 0; i < moved.size(); ++i) {
-    if (moved[i] < 0) continue;
-    moved[i] = static_cast<std::int32_t>(used.size());
-    used.push_back(scene.vertices[i]);
-  }
+  for (Channel& channel : scene.channels) KeepUsed(channel.values, moved);
+  KeepUsed(scene.vertices, moved);
+  std::int32_t used = 0;
+  for (std::int32_t& index : moved) index = index < 0 ? index : used++;
   for (Triangle& t : scene.triangles) {
     for (std::int32_t& index : t) index = moved[static_cast<std::size_t>(index)];
   }
-  scene.vertices = std::move(used);
   return c;
 }
 

@@ -21,12 +21,13 @@ namespace {
 constexpr std::size_t kRoomOfANumber = 64;
 constexpr std::size_t kMostOfAHead = std::size_t{1} << 16;  // a reason may be a long text
 constexpr std::size_t kNumbersOfAFragment = 8;  // primitive id, barycentrics, depth, centroid
+constexpr std::size_t kNumbersOfAValue = 3;     // with its derivatives
 constexpr std::size_t kMostQuoted = 60;
 
 constexpr std::size_t MostOfARow(std::size_t numbers) { return (numbers + 1) * kRoomOfANumber; }
 
 bool IsOfFragments(Outputs answered) {
-  return answered.barycentrics || answered.depths || answered.centroids;
+  return answered.barycentrics || answered.depths || answered.centroids || answered.values;
 }
 
 std::string_view AnswerWord(Outputs answered) {
@@ -185,14 +186,19 @@ std::array<double, 3> NextBarycentrics(RowReader& row, std::size_t column, std::
   return barycentrics;
 }
 
-// `answered` is what the answer holds, `wants` what of it is kept.
-void ReadPrimitiveIds(Drawing& drawing, std::size_t triangles, Outputs answered, Outputs wants,
+// `answered` is what the answer holds, the job's wants what of it is kept.
+void ReadPrimitiveIds(Drawing& drawing, const DrawJob& job, Outputs answered,
                       const NextLine& next_line) {
   const std::size_t size = drawing.counts.size();
+  const std::size_t channels = answered.values ? job.scene->channels.size() : 0;
+  const std::size_t triangles = job.Triangles().size();
+  const Outputs& wants = job.wants;
   drawing.primitive_ids.resize(size);
   if (answered.barycentrics && wants.barycentrics) drawing.barycentrics.resize(size);
   if (answered.depths && wants.depths) drawing.depths.resize(size);
   if (answered.centroids) drawing.centroids.resize(size);
+  drawing.values.resize(size * channels);
+  if (answered.derivatives) drawing.derivatives.resize(size * channels);
   const auto read = [&](RowReader& row, std::size_t index, std::size_t column,
                         std::size_t columns) {
     const auto id = row.Next<std::int32_t>(column, columns);
@@ -209,8 +215,14 @@ void ReadPrimitiveIds(Drawing& drawing, std::size_t triangles, Outputs answered,
       if (!drawing.depths.empty()) drawing.depths[index] = depth;
     }
     if (answered.centroids) drawing.centroids[index] = NextBarycentrics(row, column, columns);
+    for (std::size_t c = channels * index; c < channels * (index + 1); ++c) {
+      drawing.values[c] = row.Next<double>(column, columns);
+      if (!answered.derivatives) continue;
+      for (double& along : drawing.derivatives[c]) along = row.Next<double>(column, columns);
+    }
   };
-  ReadRows(drawing.counts, IsOfFragments(answered) ? kNumbersOfAFragment : 1, next_line, read);
+  const std::size_t numbers = kNumbersOfAFragment + kNumbersOfAValue * channels;
+  ReadRows(drawing.counts, IsOfFragments(answered) ? numbers : 1, next_line, read);
 }
 
 // HEIGHT rows; add(index) writes one sample.
@@ -244,31 +256,37 @@ void AddCounts(TextWriter& text, const CoverageCounts& shape,
   }
 }
 
-void AddBarycentrics(TextWriter& text, const std::array<double, 3>& barycentrics) {
-  for (const double barycentric : barycentrics) {
+void AddNumbers(TextWriter& text, std::span<const double> numbers) {
+  for (const double number : numbers) {
     text.Add(' ');
-    text.AddNumber(barycentric);
+    text.AddNumber(number);
   }
 }
 
 void AddPrimitiveIds(TextWriter& text, const Drawing& drawing, Outputs answered) {
+  const std::size_t channels = drawing.values.size() / drawing.counts.size();
   AddRows(text, drawing.counts, [&](std::size_t k) {
     text.AddNumber(drawing.primitive_ids[k]);
     if (drawing.primitive_ids[k] == kNoPrimitive) return;
-    if (answered.barycentrics) AddBarycentrics(text, drawing.barycentrics[k]);
-    if (answered.depths) {
-      text.Add(' ');
-      text.AddNumber(drawing.depths[k]);
+    if (answered.barycentrics) AddNumbers(text, drawing.barycentrics[k]);
+    if (answered.depths) AddNumbers(text, {&drawing.depths[k], 1});
+    if (answered.centroids) AddNumbers(text, drawing.centroids[k]);
+    if (!answered.values) return;
+    for (std::size_t c = channels * k; c < channels * (k + 1); ++c) {
+      AddNumbers(text, {&drawing.values[c], 1});
+      if (answered.derivatives) AddNumbers(text, drawing.derivatives[c]);
     }
-    if (answered.centroids) AddBarycentrics(text, drawing.centroids[k]);
   });
 }
 
 }  // namespace
 
-Outputs Requested(Outputs wants, const SubjectInfo& info) {
+Outputs Requested(const DrawJob& job, const SubjectInfo& info) {
   if (!info.takes_wants) return kEverything;
+  Outputs wants = job.wants;
   wants.centroids = wants.centroids && info.fragments.shows_centroids;
+  wants.values = wants.values && info.fragments.shows_values && !job.scene->channels.empty();
+  wants.derivatives = wants.values && wants.derivatives && info.fragments.shows_derivatives;
   return wants;
 }
 
@@ -278,7 +296,9 @@ Outputs Answered(CoverageKind kind, Outputs wants) {
   return {.primitive_ids = shows_primitive_ids && wants != kCoverageAlone,
           .barycentrics = shows_fragments && wants.barycentrics,
           .depths = shows_fragments && wants.depths,
-          .centroids = shows_fragments && wants.centroids};
+          .centroids = shows_fragments && wants.centroids,
+          .values = shows_fragments && wants.values,
+          .derivatives = shows_fragments && wants.derivatives};
 }
 
 std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind kind, Outputs wants) {
@@ -300,7 +320,7 @@ std::string AnswerText(std::uint64_t id, const Drawing& drawing, CoverageKind ki
 
 Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
                    const NextLine& next_line, const NextBytes& next_bytes) {
-  const Outputs answered = Answered(info.coverage, Requested(job.wants, info));
+  const Outputs answered = Answered(info.coverage, Requested(job, info));
   const bool has_facings = info.coverage == CoverageKind::kFacingCounts;
   WordReader rest(RequireHead(next_line(kMostOfAHead), AnswerWord(answered), id, info.name));
   const bool is_array = rest.Word() == "npy";
@@ -312,7 +332,7 @@ Drawing ReadAnswer(std::uint64_t id, const DrawJob& job, const SubjectInfo& info
     if (is_array) {
       ReadPrimitiveIdsArray(drawing, job.Triangles().size(), next_bytes);
     } else {
-      ReadPrimitiveIds(drawing, job.Triangles().size(), answered, job.wants, next_line);
+      ReadPrimitiveIds(drawing, job, answered, next_line);
     }
     return drawing;
   }

@@ -28,6 +28,16 @@
 //                triangles follow as arrays of NumPy's format NPY 1.0, '<f8' of VERTICES rows of
 //                four and '<i4' of TRIANGLES rows of three, in place of the lines
 //
+// A program that shows values, which takes wants too, may be sent, with `values` or
+// `values,derivatives` at the end of wants=...:
+//     channels=N  after the vertices and before the triangles come N lines, one a channel:
+//                     NAME flat|linear|perspective|inverse-w sample|centre|centroid V0 V1 ...
+//                 one number a vertex, none with inverse-w. With npy the line ends before them, and
+//                 an array '<f8' of VERTICES rows of one follows it, none with inverse-w
+//     channels=same  those that were sent last; no request since then had vertices of its own
+// In the answer the N values come last after each index, in the order of the channels; with
+// derivatives each of them is followed by its derivatives by x and by y: V0 DX0 DY0 V1 DX1 DY1 ...
+//
 // An answer's line may always end with the same word: `counts ID npy` and one array of integers of
 // any size follow, (HEIGHT, WIDTH * SAMPLES) or (HEIGHT, WIDTH, SAMPLES), and of a program that
 // reports facings (2, HEIGHT, ...); `primitive-ids ID npy` likewise.
@@ -62,6 +72,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/channel.h"
 #include "core/drawing.h"
 #include "core/evaluators.h"
 #include "core/scene.h"
@@ -69,6 +80,8 @@
 #include "core/vertex.h"
 
 namespace rasterproof::subjects {
+
+class WordReader;
 
 struct DrawRequest {
   std::uint64_t id = 0;
@@ -95,8 +108,8 @@ std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
 std::string BatchText(std::size_t n);
 std::string RequestsText(std::span<const EdgeRequest> requests);
 
-/// Returns the ones of these outputs that a request to the subject can ask for.
-Outputs Requested(Outputs wants, const SubjectInfo& info);
+/// Returns the outputs that a request to the subject for this job asks for.
+Outputs Requested(const DrawJob& job, const SubjectInfo& info);
 /// Returns the outputs, in addition to coverage, of the answer to a job that wants these: those
 /// that the subject shows. Barycentrics and depths always come with ids.
 Outputs Answered(CoverageKind kind, Outputs wants);
@@ -121,22 +134,25 @@ class RequestReader {
   bool Peek();
   bool NextLine();
   DrawRequest NextRequest();
-  // The lists of a request: as lines, or as arrays.
+  // The lists of a request: as lines, or as arrays; of no vertices or channels: those before.
   struct Lists {
     std::uint64_t id = 0;
     bool as_arrays = false;
+    std::optional<std::size_t> vertices = {};
+    std::optional<std::size_t> channels = 0;
   };
-  std::shared_ptr<const Scene> SceneFor(Scene target, std::optional<std::size_t> vertices,
-                                        Lists lists);
-  std::vector<Vertex> NextVertices(std::size_t count, Lists lists);
-  std::vector<Triangle> NextTriangles(std::size_t count, Lists lists);
+  void ReadOptions(WordReader& words, const std::string& where, DrawJob& job, Lists& lists);
+  std::shared_ptr<const Scene> SceneFor(Scene target, const Lists& lists);
+  std::vector<Vertex> NextVertices(std::size_t count, const Lists& lists);
+  Channel NextChannel(std::size_t index, std::size_t vertices, const Lists& lists);
+  std::vector<Triangle> NextTriangles(std::size_t count, const Lists& lists);
   std::string_view NextBytesOf(std::size_t count);
 
   std::istream& in_;
   std::string line_;
   std::string bytes_;
   bool has_line_ = false;              ///< line_ is still to be read
-  std::shared_ptr<const Scene> last_;  ///< of the request before: vertices alone
+  std::shared_ptr<const Scene> last_;  ///< of the request before: vertices and channels
 };
 
 /// The answer to a request for a job that wants these outputs.

@@ -10,8 +10,10 @@
 #include "core/call_end.h"
 #include "core/error.h"
 #include "core/target_size.h"
+#include "subjects/process/channels.h"
 #include "subjects/process/npy.h"
 #include "subjects/process/protocol.h"
+#include "subjects/process/request_errors.h"
 #include "subjects/process/text.h"
 
 namespace rasterproof::subjects {
@@ -43,6 +45,8 @@ std::string WantsText(Outputs wants, CoverageKind kind) {
   if (answered.barycentrics) text += ",barycentrics";
   if (answered.depths) text += ",depths";
   if (answered.centroids) text += ",centroids";
+  if (answered.values) text += ",values";
+  if (answered.derivatives) text += ",derivatives";
   return text;
 }
 
@@ -106,8 +110,14 @@ void AddTriangles(TextWriter& text, std::span<const Triangle> triangles, bool as
   text.Add(NpyOf(numbers, 3));
 }
 
+// What of a scene the request before has sent already.
+struct Sent {
+  bool vertices = false;
+  bool channels = false;
+};
+
 void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const SubjectInfo& info,
-                bool has_same_vertices) {
+                Sent sent) {
   const Scene& scene = *job.scene;
   text.Add("draw ");
   text.AddNumber(id);
@@ -116,7 +126,7 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
     text.AddNumber(n);
   }
   text.Add(scene.clip_space ? " clip " : " window ");
-  if (has_same_vertices) {
+  if (sent.vertices) {
     text.Add(kSame);
   } else {
     text.AddNumber(scene.vertices.size());
@@ -124,7 +134,12 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
   text.Add(' ');
   text.AddNumber(job.Triangles().size());
   AddOptions(text, job.options, info);
-  if (info.takes_wants) text.Add(WantsText(Requested(job.wants, info), info.coverage));
+  const Outputs requested = Requested(job, info);
+  if (info.takes_wants) text.Add(WantsText(requested, info.coverage));
+  if (requested.values) {
+    text.Add(" channels=");
+    text.Add(sent.channels ? kSame : std::to_string(scene.channels.size()));
+  }
   if (job.repeats > 1 && info.takes_repeats) {
     text.Add(" repeats=");
     text.AddNumber(job.repeats);
@@ -134,12 +149,9 @@ void AddRequest(TextWriter& text, std::uint64_t id, const DrawJob& job, const Su
     text.Add(kAsArrays);
   }
   text.Add('\n');
-  if (!has_same_vertices) AddVertices(text, scene.vertices, info.takes_npy);
+  if (!sent.vertices) AddVertices(text, scene.vertices, info.takes_npy);
+  if (requested.values && !sent.channels) AddChannels(text, scene.channels, info.takes_npy);
   AddTriangles(text, job.Triangles(), info.takes_npy);
-}
-
-[[noreturn]] void Malformed(const std::string& where, const std::string& expected) {
-  throw InputError("standard input: " + where, "not what a request looks like", "give " + expected);
 }
 
 // The next word as a number.
@@ -174,17 +186,6 @@ std::array<T, n> NumbersOf(const std::string& line, const char* what, std::size_
   Malformed(where, "a number, not " + word);
 }
 
-// What an array of a request holds. Readers of arrays blame a subject; here standard input is it.
-template <class Read>
-auto OfArray(std::uint64_t id, const std::string& what, const Read& read) {
-  try {
-    return read();
-  } catch (const SubjectStop& stop) {
-    throw InputError("standard input: request " + std::to_string(id) + ", its " + what, stop.what(),
-                     "give arrays of the format NPY 1.0");
-  }
-}
-
 PixelRect ParseRect(std::string_view text, const std::string& where) {
   std::array<int, 4> sides{};
   for (std::size_t k = 0; k < sides.size(); ++k) {
@@ -198,19 +199,27 @@ PixelRect ParseRect(std::string_view text, const std::string& where) {
   return {sides[0], sides[1], sides[2], sides[3]};
 }
 
+using NamedOutput = std::pair<std::string_view, bool Outputs::*>;
+constexpr std::array<NamedOutput, 6> kOutputs{{{"primitive-ids", &Outputs::primitive_ids},
+                                               {"barycentrics", &Outputs::barycentrics},
+                                               {"depths", &Outputs::depths},
+                                               {"centroids", &Outputs::centroids},
+                                               {"values", &Outputs::values},
+                                               {"derivatives", &Outputs::derivatives}}};
+
 Outputs ParseWants(std::string_view text, const std::string& where) {
   Outputs wants = kCoverageAlone;
   if (text == "coverage") return wants;
   while (!text.empty()) {
     const std::string_view name = text.substr(0, text.find(','));
-    if (name != "primitive-ids" && name != "barycentrics" && name != "depths" &&
-        name != "centroids") {
-      Malformed(where, "wants=coverage, or any of primitive-ids,barycentrics,depths,centroids");
+    const auto* const named = std::ranges::find(kOutputs, name, &NamedOutput::first);
+    if (named == kOutputs.end()) {
+      Malformed(where,
+                "wants=coverage, or any of "
+                "primitive-ids,barycentrics,depths,centroids,values,derivatives");
     }
     wants.primitive_ids = true;
-    wants.barycentrics = wants.barycentrics || name == "barycentrics";
-    wants.depths = wants.depths || name == "depths";
-    wants.centroids = wants.centroids || name == "centroids";
+    wants.*named->second = true;
     text.remove_prefix(std::min(name.size() + 1, text.size()));
   }
   return wants;
@@ -249,11 +258,15 @@ std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
                          const SubjectInfo& info) {
   TextWriter text;
   const Scene* before = nullptr;
+  const Scene* channels = nullptr;  // whose were sent last, beside these vertices
   for (const DrawJob& job : jobs) {
-    const bool has_same_vertices =
-        info.takes_same && before != nullptr && HaveTheSameVertices(*before, *job.scene);
-    AddRequest(text, first_id++, job, info, has_same_vertices);
+    Sent sent;
+    sent.vertices = info.takes_same && before != nullptr && HaveTheSameVertices(*before, *job.scene);
+    if (!sent.vertices) channels = nullptr;
+    sent.channels = channels != nullptr && HaveTheSameChannels(*channels, *job.scene);
+    AddRequest(text, first_id++, job, info, sent);
     before = job.scene.get();
+    if (Requested(job, info).values) channels = before;
   }
   return text.Take();
 }
@@ -333,46 +346,41 @@ DrawRequest RequestReader::NextRequest() {
   target.clip_space = space == "clip";
   target.precision = Precision::kFloat64;  // what it holds; a program narrows what it must
   const std::string_view vertices = words.Word();
-  const auto own_vertices =
-      vertices == kSame ? std::nullopt : std::optional(Number<std::size_t>(vertices, where));
+  Lists lists{request.id};
+  if (vertices != kSame) lists.vertices = Number<std::size_t>(vertices, where);
   const auto triangles = Number<std::size_t>(words, where);
-  if (own_vertices.value_or(0) > kMostListed || triangles > kMostListed) {
+  if (lists.vertices.value_or(0) > kMostListed || triangles > kMostListed) {
     Malformed(where, "at most 2^26 vertices and triangles");
   }
-  Lists lists{request.id};
-  while (!words.AtEnd()) {
-    const std::string_view word = words.Word();
-    if (word == kAsArrays) {
-      lists.as_arrays = true;
-    } else {
-      ParseOption(word, where, request.job);
-    }
-  }
+  ReadOptions(words, where, request.job, lists);
   RequireTargetSize("standard input: " + where, target.width, target.height, request.job.samples);
-  last_ = SceneFor(std::move(target), own_vertices, lists);
+  last_ = SceneFor(std::move(target), lists);
   request.job.scene = last_;
   request.job.triangles = NextTriangles(triangles, lists);
   return request;
 }
 
-// The target with the vertices whose lines follow, or those of the request before.
-std::shared_ptr<const Scene> RequestReader::SceneFor(Scene target,
-                                                     std::optional<std::size_t> vertices,
-                                                     Lists lists) {
-  if (!vertices) {
-    if (last_ == nullptr) {
-      Malformed("request " + std::to_string(lists.id),
-                "vertices: there is no request before it to have the same");
+void RequestReader::ReadOptions(WordReader& words, const std::string& where, DrawJob& job,
+                                Lists& lists) {
+  constexpr std::string_view kChannels = "channels=";
+  bool has_channels = false;
+  while (!words.AtEnd()) {
+    const std::string_view word = words.Word();
+    if (word == kAsArrays) {
+      lists.as_arrays = true;
+    } else if (word.starts_with(kChannels)) {
+      const std::string_view count = word.substr(kChannels.size());
+      has_channels = true;
+      lists.channels =
+          count == kSame ? std::nullopt : std::optional(Number<std::size_t>(count, where));
+      if (lists.channels && (*lists.channels < 1 || *lists.channels > kMostChannels))
+        Malformed(where, "1 to " + std::to_string(kMostChannels) + " channels");
+    } else {
+      ParseOption(word, where, job);
     }
-    if (target.width == last_->width && target.height == last_->height &&
-        target.clip_space == last_->clip_space) {
-      return last_;
-    }
-    target.vertices = last_->vertices;
-    return std::make_shared<const Scene>(std::move(target));
   }
-  target.vertices = NextVertices(*vertices, lists);
-  return std::make_shared<const Scene>(std::move(target));
+  if (job.wants.values != has_channels || (job.wants.derivatives && !job.wants.values))
+    Malformed(where, "channels=N and values among wants=..., or neither of them");
 }
 
 // The next bytes of the stream, read piece by piece: a head may say more than follows.
@@ -391,7 +399,7 @@ std::string_view RequestReader::NextBytesOf(std::size_t count) {
   return bytes_;
 }
 
-std::vector<Vertex> RequestReader::NextVertices(std::size_t count, Lists lists) {
+std::vector<Vertex> RequestReader::NextVertices(std::size_t count, const Lists& lists) {
   std::vector<Vertex> vertices;
   if (lists.as_arrays) {
     const std::vector<double> numbers = OfArray(lists.id, "vertices", [&] {
@@ -410,7 +418,7 @@ std::vector<Vertex> RequestReader::NextVertices(std::size_t count, Lists lists) 
   return vertices;
 }
 
-std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, Lists lists) {
+std::vector<Triangle> RequestReader::NextTriangles(std::size_t count, const Lists& lists) {
   const std::size_t vertices = last_->vertices.size();
   std::vector<std::int64_t> numbers;
   if (lists.as_arrays) {

@@ -37,6 +37,7 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
   const Outputs answered = Answered(kind, job.wants);
   const Scene& target = *job.scene;
   const std::size_t size = CoverageCounts::Size(target.width, target.height, job.samples);
+  const std::size_t values = size * target.channels.size();
   const CoverageCounts& counts = drawing.counts;
   const bool fits = counts.width == target.width && counts.height == target.height &&
                     counts.samples == job.samples && counts.front.size() == size &&
@@ -44,7 +45,9 @@ void RequireShape(const Drawing& drawing, const DrawJob& job, CoverageKind kind)
                     (!answered.primitive_ids || drawing.primitive_ids.size() == size) &&
                     (!answered.barycentrics || drawing.barycentrics.size() == size) &&
                     (!answered.depths || drawing.depths.size() == size) &&
-                    (!answered.centroids || drawing.centroids.size() == size);
+                    (!answered.centroids || drawing.centroids.size() == size) &&
+                    (!answered.values || drawing.values.size() == values) &&
+                    (!answered.derivatives || drawing.derivatives.size() == values);
   if (!fits) BreakDown("its drawing has not the shape of the target, or lacks a part");
 }
 

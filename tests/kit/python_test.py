@@ -114,6 +114,61 @@ class Arrays(unittest.TestCase):
             rp.decided(SQUARE, SIZE, "vulkan-4x")
 
 
+class Fragments(unittest.TestCase):
+    HEAD = b"draw 7 2 1 1 window 3 1 wants=primitive-ids,values,derivatives channels=2 npy\n"
+
+    def answered(self, draw, *later, batches=False):
+        from rasterproof import _serve
+
+        array = _serve.array_bytes
+        vertices = array(np.array([[0, 0, 0, 1], [4, 0, 0, 1], [0, 4, 0, 1]], float))
+        triangles = array(np.array([[0, 1, 2]], np.int32))
+        request = self.HEAD + vertices + b"u flat centre\n" + array(np.array([[1.0], [2], [4]]))
+        request += b"q inverse-w sample\n" + triangles + b"".join(
+            line + b" npy\n" + triangles for line in later)  # fmt: skip
+        replies = io.BytesIO()
+        _serve.serve(draw, io.BytesIO(request), replies, batches=batches, coverage="fragments")
+        return replies.getvalue()
+
+    def test_a_scene_has_its_channels_and_values_are_answered(self):
+        scenes = []
+
+        def draw(scene):
+            scenes.append(scene)
+            return rp.Fragments(
+                np.array([[0, -1]]), values={"u": [[0.1, 9]], "q": [[np.inf, 9]]},
+                derivatives=np.arange(8.0).reshape(1, 2, 2, 2))  # fmt: skip
+
+        lines = (b"draw 8 2 1 1 window same 1 wants=primitive-ids,values channels=same",
+                 b"draw 9 2 1 1 window same 1 wants=coverage")  # fmt: skip
+        said = self.answered(draw, *lines)
+        self.assertEqual(said[: said.index(b"npy")], b"fragments 7\n0 0.1 0.0 1.0 inf 2.0 3.0 -1\n"
+                         b"fragments 8\n0 0.1 inf -1\ncounts 9 ")  # fmt: skip
+        self.assertEqual(scenes[0].triangles.shape, (1, 3, 4))
+        for scene in scenes[:2]:
+            self.assertEqual(list(scene.channels), ["u", "q"])
+            self.assertEqual(scene.channels["u"][:2], ("flat", "centre"))
+            self.assertEqual(scene.channels["u"].values.tolist(), [[1, 2, 4]])
+            self.assertIsNone(scene.channels["q"].values)
+        self.assertEqual((scenes[2].wants, scenes[2].channels), (frozenset(), {}))
+
+    def test_what_is_lacking_is_named(self):
+        ids = np.zeros((1, 2), int)
+        for said, drawn in (
+            ("it returned ndarray; return rasterproof.Fragments(ids, ...)", ids),
+            ("it returned ids of shape (2,), not (1, 2)", rp.Fragments(ids[0])),
+            ("it returned no values; give an array of shape (1, 2, 2)", rp.Fragments(ids)),
+            ("it returned no values of u; give an array of shape (1, 2)",
+             rp.Fragments(ids, values={"q": ids})),
+            ("it returned values of shape (1, 2), not (1, 2, 2)", rp.Fragments(ids, values=ids)),
+            ("it returned no derivatives; give an array of shape (1, 2, 2, 2)",
+             rp.Fragments(ids, values=np.zeros((1, 2, 2)))),
+        ):
+            fault = f"fault 7 {said}\n".encode()
+            self.assertEqual(self.answered(lambda scene, d=drawn: d), fault)
+            self.assertEqual(self.answered(lambda scenes, d=drawn: [d], batches=True), fault)
+
+
 class Verdicts(unittest.TestCase):
     def test_a_right_function_holds(self):
         report = rp.check(exact, "real", cases=20).require()
@@ -138,6 +193,26 @@ class Verdicts(unittest.TestCase):
         self.assertIn("SharedEdgeSamplesAreCoveredOnce", report.violated)
         with self.assertRaisesRegex(AssertionError, "observed covered 2 times, expected exactly"):
             report.require()
+
+    def test_ids_are_answered_as_ids(self):
+        def draw(triangles, size):
+            ids = np.full(size[::-1], -1)
+            for index, triangle in enumerate(triangles):
+                ids[exact(triangle[np.newaxis], size) > 0] = index
+            return ids
+
+        report = rp.check(draw, cases=5, coverage="primitive-id", properties=[
+            "PrimitiveIdFollowsTheStatedOrder", "CoverageEqualsTheModel"])  # fmt: skip
+        self.assertTrue(report, report.text)
+
+    def test_values_of_the_example_hold(self):
+        import numpy_values
+
+        report = rp.check(numpy_values.draw, numpy_values.PROFILE, cases=5, clip=True,
+                          coverage="fragments", shows="values derivatives")  # fmt: skip
+        self.assertTrue(report, report.text)
+        with self.assertRaisesRegex(rp.BadArgument, "add two lines: coverage fragments"):
+            rp.check(exact, cases=1, shows=["values"])
 
     def test_exceptions_crashes_and_hangs_are_findings_with_their_cause(self):
         def raises(triangles, size):

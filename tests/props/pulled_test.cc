@@ -184,6 +184,51 @@ TEST(PulledEngine, TakesNoAnswerOfAnotherShape) {
   EXPECT_FALSE(ReadOutcome(OutcomeBytes(outcome)));
 }
 
+TEST(PulledEngine, KeepsValuesOfEachChannelAndSample) {
+  DrawOutcome outcome;
+  Drawing& drawing = outcome.drawing;
+  drawing.counts = CoverageCounts(4, 3, 2);
+  drawing.values.assign(2 * 24, 0.1);
+  drawing.values[47] = -0.0;
+  drawing.derivatives.assign(2 * 24, {0.2, 1e300});
+  const auto read = [&] { return ReadOutcome(OutcomeBytes(outcome)); };
+  ASSERT_TRUE(read());
+  EXPECT_EQ(read()->drawing.values, drawing.values);
+  EXPECT_TRUE(std::signbit(read()->drawing.values[47]));
+  EXPECT_EQ(read()->drawing.derivatives, drawing.derivatives);
+  drawing.derivatives.pop_back();
+  EXPECT_FALSE(read());
+  drawing.derivatives.clear();
+  drawing.values.pop_back();
+  EXPECT_FALSE(read());
+  drawing.values.assign(65 * 24, 0);
+  EXPECT_FALSE(read());
+}
+
+TEST(PulledEngine, TellsJobsApartByTheChannelsThatTheyWant) {
+  KnownAnswers answers({}, {});
+  Scene scene;
+  scene.vertices = {{0, 0}, {1, 0}, {0, 1}};
+  scene.triangles = {{0, 1, 2}};
+  scene.channels = {{.name = "u", .values = {0, 0, 1}}};
+  DrawJob job(scene, {}, 1);
+  job.wants.values = true;
+  EXPECT_TRUE(answers.Learn(job, {}));
+  const auto times = [&](auto change) {
+    Scene changed = scene;
+    DrawJob other = job;
+    change(changed, other.wants);
+    other.scene = std::make_shared<const Scene>(changed);
+    return answers.TimesAnswered(other);
+  };
+  EXPECT_EQ(times([](Scene&, Outputs&) {}), 1);
+  EXPECT_EQ(times([](Scene& s, Outputs&) { s.channels[0].values[1] = -0.0; }), 0);
+  EXPECT_EQ(times([](Scene& s, Outputs&) { s.channels[0].name = "v"; }), 0);
+  EXPECT_EQ(times([](Scene& s, Outputs&) { s.channels[0].at = EvaluatedAt::kCentre; }), 0);
+  EXPECT_EQ(times([](Scene&, Outputs& wants) { wants.derivatives = true; }), 0);
+  EXPECT_EQ(times([](Scene&, Outputs& wants) { wants.values = false; }), 0);
+}
+
 TEST(PulledEngine, ShrinksAsReplayDoes) {
   AtAFarEnd far("mutant:ties-inclusive");
   const Property& property = Named("CoverageEqualsTheModel");

@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "core/ulp.h"
 #include "exact/coverage.h"
@@ -55,6 +57,24 @@ TEST(Shrink, LeavesOneTriangleOverOnePixelWhereThatIsEnough) {
     }
     EXPECT_LE(shrunk.evaluations, 500U) << domain;
   }
+}
+
+TEST(Shrink, KeepsTheNumberOfEachVertexThatIsLeft) {
+  Case c = Draw("fans", 0);
+  const auto number = [](const Vertex& v) { return 3 * v.x + v.y; };
+  c.scene.channels = {{.name = "u"}, {.name = "w", .interpolation = Interpolation::kInverseW}};
+  for (const Vertex& v : c.scene.vertices) c.scene.channels[0].values.push_back(number(v));
+  const std::size_t vertices = c.scene.vertices.size();
+  const Case minimal =
+      Shrink(c, [&](const Case& tried) {
+        const std::vector<double>& values = tried.scene.channels[0].values;
+        return tried.scene.channels[1].values.empty() && !tried.scene.triangles.empty() &&
+               std::ranges::equal(tried.scene.vertices, values, [&](const Vertex& v, double value) {
+                 return number(v) == value;
+               });
+      }).minimal;
+  EXPECT_EQ(minimal.scene.triangles.size(), 1U);
+  EXPECT_LT(minimal.scene.vertices.size(), vertices);
 }
 
 TEST(Shrink, KeepsTheTwoTrianglesOfASharedEdgeIfBothAreNeeded) {

@@ -6,6 +6,7 @@
 #include <cfenv>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -96,6 +97,82 @@ TEST(Plugin, IsAskedForCentroidsIfItShowsThemAndTheyAreWanted) {
   EXPECT_FALSE(older.subject->Info().fragments.shows_centroids);
   EXPECT_TRUE(DrawOne(*older.subject, SecondOfTwo(wants)).centroids.empty());
   EXPECT_THROW(LoadPlugin(TEST_PLUGINS "/shown_CENTROIDS_OF_COUNTS.so"), InputError);
+}
+
+// As SecondOfTwo, with channels.
+DrawJob WithChannels(bool wants_derivatives) {
+  DrawJob job = SecondOfTwo(kCoverageAndPrimitiveIds);
+  Scene scene = *job.scene;
+  scene.channels = {{.name = "u", .values = {1, 2, 3}},
+                    {"q", Interpolation::kInverseW, EvaluatedAt::kSample, {}},
+                    {"id", Interpolation::kFlat, EvaluatedAt::kSample, {7, 8, 9}}};
+  job.scene = std::make_shared<const Scene>(scene);
+  job.wants.values = true;
+  job.wants.derivatives = wants_derivatives;
+  return job;
+}
+
+TEST(Plugin, IsGivenChannelsIfItShowsValuesAndTheyAreWanted) {
+  const LoadedPlugin shows = LoadPlugin(TEST_PLUGINS "/shown_VALUES.so");
+  EXPECT_TRUE(shows.subject->Info().fragments.shows_values);
+  EXPECT_TRUE(shows.subject->Info().fragments.shows_derivatives);
+  for (const bool derivatives : {false, true}) {
+    const Drawing drawing = DrawOne(*shows.subject, WithChannels(derivatives));
+    ASSERT_EQ(drawing.values.size(), 3U * 16U);
+    ASSERT_EQ(drawing.derivatives.size(), derivatives ? 3U * 16U : 0U);
+    EXPECT_TRUE(drawing.barycentrics.empty());
+    for (std::size_t at = 0; at < 16; ++at) {  // the corners are 39 pixels apart
+      const auto x = static_cast<double>(at % 4) + 9.5;
+      const auto y = static_cast<double>(at / 4) + 9.5;
+      EXPECT_NEAR(drawing.values[3 * at], 1 + (y + 2 * x) / 39, 1e-14);
+      EXPECT_NEAR(drawing.values[3 * at + 1], 1, 1e-14);
+      EXPECT_NEAR(drawing.values[3 * at + 2], 7, 1e-14);
+      if (!derivatives) continue;
+      EXPECT_NEAR(drawing.derivatives[3 * at][0], 2.0 / 39, 1e-14);
+      EXPECT_NEAR(drawing.derivatives[3 * at][1], 1.0 / 39, 1e-14);
+      EXPECT_NEAR(drawing.derivatives[3 * at + 1][0], 0, 1e-14);
+    }
+  }
+  // It refuses a draw that gives it channels beside no values, or the other way round.
+  DrawJob unasked = WithChannels(false);
+  unasked.wants.values = false;
+  EXPECT_TRUE(DrawOne(*shows.subject, unasked).values.empty());
+  DrawJob none = SecondOfTwo(kEverything);
+  none.wants.values = none.wants.derivatives = true;
+  EXPECT_TRUE(DrawOne(*shows.subject, none).values.empty());
+  const std::vector<DrawJob> both{WithChannels(true), unasked};
+  const std::vector<DrawOutcome> outcomes = shows.subject->DrawMany(both);
+  ASSERT_EQ(outcomes.size(), 2U);
+  EXPECT_EQ(outcomes[0].Get().values.size(), 48U);
+  EXPECT_TRUE(outcomes[1].Get().values.empty());
+  // One of a header that had none is never asked.
+  const LoadedPlugin older = LoadPlugin(TEST_PLUGINS "/shown_FRAGMENTS.so");
+  EXPECT_FALSE(older.subject->Info().fragments.shows_values);
+  EXPECT_TRUE(DrawOne(*older.subject, WithChannels(true)).values.empty());
+}
+
+TEST(Plugin, ThatWritesOutsideItsValuesBreaksDown) {
+  const LoadedPlugin outside = LoadPlugin(TEST_PLUGINS "/shown_VALUES_OUTSIDE.so");
+  try {
+    DrawOne(*outside.subject, WithChannels(false));
+    ADD_FAILURE() << "it wrote past its last row";
+  } catch (const SubjectStop& stop) {
+    EXPECT_NE(std::string(stop.what()).find("wrote outside its target"), std::string::npos);
+  }
+}
+
+TEST(Plugin, ThatContradictsItselfIsRefused) {
+  const auto refused = [](const std::string& name, const std::string& remedy) {
+    try {
+      LoadPlugin(TEST_PLUGINS "/shown_" + name + ".so");
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(remedy), std::string::npos) << error.what();
+    }
+  };
+  refused("VALUES_OF_COUNTS", "set coverage to RASTERPROOF_FRAGMENTS");
+  refused("DERIVATIVES_ALONE", "set RASTERPROOF_SHOWS_VALUES too");
+  EXPECT_FALSE(LoadPlugin(TEST_PLUGINS "/shown_OLD_SIZE.so").subject->Info().takes_batches);
 }
 
 TEST(Plugin, DrawsPartsOfASharedSceneLikeScenesOfTheirOwn) {

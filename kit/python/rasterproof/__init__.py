@@ -14,11 +14,11 @@ name, a dict with the keys of docs/subjects.md, the text of one as JSON, or a pa
 
 from ._oracle import (MAY, MUST, MUST_NOT, BadArgument, NotDecided, Profile, Verdict, barycentrics,
                       bounds, coverage, decided, edge_sign, legal, place)
-from ._serve import Refused
+from ._serve import Channel, Fragments, Refused, Scene
 from .checking import Report, certify, check
 
 __all__ = [
-    "MAY", "MUST", "MUST_NOT", "BadArgument", "NotDecided", "Profile", "Refused", "Report",
-    "Verdict", "barycentrics", "bounds", "certify", "check", "coverage", "decided", "edge_sign",
-    "legal", "place",
+    "MAY", "MUST", "MUST_NOT", "BadArgument", "Channel", "Fragments", "NotDecided", "Profile",
+    "Refused", "Report", "Scene", "Verdict", "barycentrics", "bounds", "certify", "check",
+    "coverage", "decided", "edge_sign", "legal", "place",
 ]  # fmt: skip

@@ -200,15 +200,18 @@ def _served(draw):
     return f"{module or 'mine'}:{name if name.isidentifier() else 'draw'}"
 
 
-def _description(profile, *, format, coverage, clip, batches, relay):  # noqa: A002
+def _description(profile, *, format, coverage, shows, clip, batches, relay):  # noqa: A002
     if format not in ("float32", "float64") and not format.startswith("fixed "):
         raise BadArgument(f"format: {format!r}; give float32, float64 or fixed N.M signed")
-    takes = ("clip" if clip else "window") + (" batches" if batches else "") + " same npy"
+    spaces = "window clip" if coverage == "fragments" else "clip"  # a Scene has w in both
+    takes = (spaces if clip else "window") + (" batches" if batches else "") + " same npy"
+    takes += " wants" if shows else ""
     text = profile_text(profile)
     if text.lstrip().startswith("{"):
         text = json.dumps(json.loads(text))  # on one line
     lines = [f"command {relay}", f"input {format}", f"coverage {coverage}",
              f"takes {takes}", f"profile {text}"]  # fmt: skip
+    lines += [f"shows {' '.join(shows)}"] if shows else []
     return "\n".join(lines) + "\n"
 
 
@@ -234,17 +237,19 @@ def _absolute(words):
     return made
 
 
-def _run(verb, draw, profile, options, found, *, shows, name, format, coverage,  # noqa: A002
-         clip, batches):  # fmt: skip
+def _run(verb, draw, profile, options, found, *, progress, name, format, coverage,  # noqa: A002
+         shows, clip, batches):  # fmt: skip
     """The report; `found(folder)` reads the failures from what the command wrote."""
     if not callable(draw):
         raise BadArgument(f"draw: a {type(draw).__name__}; give a function of (triangles, size)")
     program = command()
     name = _name_of(draw, name)
     served = [sys.executable or "python3", "-m", "rasterproof.serve", *["--clip"] * clip,
-              *["--batches"] * batches, _served(draw)]  # fmt: skip
-    stated = {"profile": profile, "format": format, "coverage": coverage, "clip": clip,
-              "batches": batches}  # fmt: skip
+              *["--batches"] * batches,
+              *["--coverage", coverage] * (coverage in _serve.ANSWERS), _served(draw)]  # fmt: skip
+    shows = shows.split() if isinstance(shows, str) else shows
+    stated = {"profile": profile, "format": format, "coverage": coverage, "shows": shows,
+              "clip": clip, "batches": batches}  # fmt: skip
     own = _description(**stated, relay=shlex.join(served))
     samples = 0
     with contextlib.suppress(NotDecided):
@@ -253,7 +258,7 @@ def _run(verb, draw, profile, options, found, *, shows, name, format, coverage, 
         raise BadArgument(said)
 
     def act(requests, replies):
-        _serve.serve(draw, requests, replies, clip=clip, batches=batches)
+        _serve.serve(draw, requests, replies, clip=clip, batches=batches, coverage=coverage)
 
     with tempfile.TemporaryDirectory(prefix="rasterproof-") as folder:
         host = _Host(folder, act)
@@ -268,7 +273,7 @@ def _run(verb, draw, profile, options, found, *, shows, name, format, coverage, 
         with open(path, "ab") as out, open(path, "ab", buffering=0) as said:
             process = subprocess.Popen(words, cwd=folder, stdin=subprocess.DEVNULL, stdout=out,
                                        stderr=subprocess.PIPE)  # fmt: skip
-            status = host.run(process, said, shows)
+            status = host.run(process, said, progress)
         text = _PROGRESS.sub("", path.read_text(encoding="utf-8", errors="replace"))
         if status == 2:
             raise BadArgument(text.strip())
@@ -301,8 +306,8 @@ def _failures_of_certificate(path):
 
 
 def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=None, save=None,
-          format="float32", coverage="counts", clip=False, batches=False, name=None,  # noqa: A002
-          options=(), progress=False):  # fmt: skip
+          format="float32", coverage="counts", shows=(), clip=False, batches=False,  # noqa: A002
+          name=None, options=(), progress=False):  # fmt: skip
     """Puts all properties (or `properties`) to the test on a function that draws.
 
     draw        draw(triangles, size): float64 (n, 3, 2) in pixels (with `clip` (n, 3, 4)) and
@@ -313,7 +318,9 @@ def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=Non
     cases       for each property. `scenes` are files: drawn as well.
     properties  a name, or several.
     format      the numbers that it takes: float32, float64 or "fixed 12.4 signed".
-    coverage    what it returns: counts, facing-counts (2, height, width), mask, primitive-id.
+    coverage    what it returns: counts, facing-counts (2, height, width), mask, primitive-id (-1
+                where there is none); or fragments: then it gets a Scene and returns Fragments.
+    shows       what its Fragments show besides: values of the scene's channels, derivatives.
     save        a folder: shrunk failures are kept there and asked first the next time.
     options     more words for `rasterproof check`.
 
@@ -327,14 +334,14 @@ def check(draw, profile="real", cases=100, *, properties=(), scenes=(), seed=Non
     words += [word for each in scenes for word in ("--scene", str(each))]
     words += ["--seed", str(seed)] if seed is not None else []
     words += ["--save", str(save)] if save else []
-    return _run("check", draw, profile, [*words, *options], _failures_of_check, shows=progress,
-                name=name, format=format, coverage=coverage, clip=clip,
+    return _run("check", draw, profile, [*words, *options], _failures_of_check, progress=progress,
+                name=name, format=format, coverage=coverage, shows=shows, clip=clip,
                 batches=batches)  # fmt: skip
 
 
 def certify(draw, out, profile="real", cases=None, *, scenes=None, seed=None,
-            format="float32", coverage="counts", clip=False, batches=False,  # noqa: A002
-            name=None, options=(), progress=True):  # fmt: skip
+            format="float32", coverage="counts", shows=(), clip=False,  # noqa: A002
+            batches=False, name=None, options=(), progress=True):  # fmt: skip
     """The whole catalogue and the bundled scenes: a certificate and a report page in `out`.
 
     out         a folder; certificate.json and junit.xml lie in its folder NAME.subject, where NAME
@@ -352,5 +359,6 @@ def certify(draw, out, profile="real", cases=None, *, scenes=None, seed=None,
     words += ["--seed", str(seed)] if seed is not None else []
     certificate = pathlib.Path(out, _name_of(draw, name), "certificate.json").absolute()
     return _run("certify", draw, profile, [*words, *options],
-                lambda _: _failures_of_certificate(certificate), shows=progress, name=name,
-                format=format, coverage=coverage, clip=clip, batches=batches)  # fmt: skip
+                lambda _: _failures_of_certificate(certificate), progress=progress, name=name,
+                format=format, coverage=coverage, shows=shows, clip=clip,
+                batches=batches)  # fmt: skip

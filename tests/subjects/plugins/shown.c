@@ -38,7 +38,16 @@ static const int kFirstWins = 0;
 #define CENTROIDS 0
 #endif
 
+#if defined(SHOWS_VALUES)
+#define VALUES (RASTERPROOF_SHOWS_VALUES | RASTERPROOF_SHOWS_DERIVATIVES)
+#elif defined(SHOWS_DERIVATIVES_ALONE)
+#define VALUES RASTERPROOF_SHOWS_DERIVATIVES
+#else
+#define VALUES 0
+#endif
+
 typedef struct triangle {
+  const int32_t* vertices;
   int64_t v[3][2];
   double z[3];
   int is_back;
@@ -83,8 +92,39 @@ static void show_centroid(const double w[3], const rasterproof_target* target, s
 #endif
 }
 
-static void show_fragment(const triangle* t, const int64_t e[3], const rasterproof_target* target,
-                          size_t at) {
+/* In window space, where 1/w is 1; flat is the first vertex's. */
+static void show_values(const triangle* t, const double w[3], double area,
+                        const rasterproof_scene* scene, const rasterproof_target* target,
+                        size_t at) {
+#if defined(SHOWS_VALUES)
+  for (size_t c = 0; target->values != NULL && c < scene->channel_count; ++c) {
+    const rasterproof_channel* const channel = scene->channels + c;
+    const int is_flat = channel->interpolation == RASTERPROOF_FLAT;
+    const int is_inverse_w = channel->interpolation == RASTERPROOF_INVERSE_W;
+    double value = 0;
+    double along[2] = {0, 0};
+    for (int k = 0; k < 3; ++k) {
+      const int64_t* const a = t->v[(k + 1) % 3];
+      const int64_t* const b = t->v[(k + 2) % 3];
+      const double x = is_inverse_w ? 1 : channel->values[t->vertices[is_flat ? 0 : k]];
+      value += w[k] * x;
+      along[0] += x * (double)(256 * (b[1] - a[1])) / area;
+      along[1] -= x * (double)(256 * (b[0] - a[0])) / area;
+    }
+    const size_t entry = scene->channel_count * at + c;
+    target->values[entry] = value;
+    if (target->derivatives != NULL) memcpy(target->derivatives + 2 * entry, along, sizeof along);
+#if defined(BUG_VALUES_OUTSIDE)
+    target->values[entry + scene->channel_count * target->stride * (size_t)scene->height] = value;
+#endif
+  }
+#else
+  (void)t, (void)w, (void)area, (void)scene, (void)target, (void)at;
+#endif
+}
+
+static void show_fragment(const triangle* t, const int64_t e[3], const rasterproof_scene* scene,
+                          const rasterproof_target* target, size_t at) {
   const double area = (double)edge(t->v[0], t->v[1], t->v[2][0], t->v[2][1]);
   double w[3];
   for (int k = 0; k < 3; ++k) w[k] = (double)e[k] / area;
@@ -111,10 +151,11 @@ static void show_fragment(const triangle* t, const int64_t e[3], const rasterpro
     memcpy(target->barycentrics + 3 * at, w, sizeof w);
   if ((wants & RASTERPROOF_WANTS_DEPTHS) != 0) target->depths[at] = depth;
   show_centroid(w, target, at);
+  show_values(t, w, area, scene, target, at);
 }
 
 static void show(const triangle* t, int32_t index, const int64_t e[3],
-                 const rasterproof_target* target, size_t at) {
+                 const rasterproof_scene* scene, const rasterproof_target* target, size_t at) {
   if (KIND == RASTERPROOF_FACING_COUNTS) {
     (t->is_back ? target->back : target->front)[at] += 1;
   } else if (KIND == RASTERPROOF_COUNTS) {
@@ -130,7 +171,7 @@ static void show(const triangle* t, int32_t index, const int64_t e[3],
 #else
     target->primitive_ids[at] = index;
 #endif
-    if (KIND == RASTERPROOF_FRAGMENTS) show_fragment(t, e, target, at);
+    if (KIND == RASTERPROOF_FRAGMENTS) show_fragment(t, e, scene, target, at);
   }
 }
 
@@ -166,7 +207,7 @@ static void draw_triangle(const triangle* t, int32_t index, const rasterproof_sc
     for (int32_t i = first(t, 0, cut[0]); i < end(t, 0, cut[2]); ++i) {
       int64_t e[3];
       if (!covers(t, i * INT64_C(256) + 128, row * INT64_C(256) + 128, e)) continue;
-      show(t, index, e, target, (size_t)row * target->stride + (size_t)i);
+      show(t, index, e, scene, target, (size_t)row * target->stride + (size_t)i);
     }
   }
 }
@@ -180,8 +221,9 @@ static int is_culled(const triangle* t, const rasterproof_scene* scene) {
 }
 
 static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
+  t->vertices = scene->triangles + 3 * index;
   for (int k = 0; k < 3; ++k) {
-    const double* const from = scene->vertices + 4 * scene->triangles[3 * index + (size_t)k];
+    const double* const from = scene->vertices + 4 * t->vertices[k];
     for (int axis = 0; axis < 2; ++axis) {
       const double at = SPACES != 0 ? from[axis] / from[3] : from[axis];
       if (!(fabs(at) <= 32768) || (SPACES != 0 && !(from[3] > 0))) return 0;
@@ -211,6 +253,14 @@ static int32_t draw(void* state, const rasterproof_scene* scene, const rasterpro
 #if defined(BUG_EVERY_THIRD)
   static int draws = 0;
   is_third = ++draws % 3 == 0;
+#endif
+#if defined(SHOWS_VALUES)
+  const int wants_values = (target->wants & RASTERPROOF_WANTS_VALUES) != 0;
+  const int wants_derivatives = (target->wants & RASTERPROOF_WANTS_DERIVATIVES) != 0;
+  if (wants_values != (target->values != NULL) || wants_values != (scene->channel_count != 0) ||
+      wants_derivatives != (target->derivatives != NULL)) {
+    return 1;
+  }
 #endif
 #if defined(BUG_CRASHES_THIRD)
   static int calls = 0;
@@ -307,7 +357,7 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
       .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING,
 #else
       .takes = RASTERPROOF_TAKES_SCISSOR | RASTERPROOF_TAKES_CULLING | RASTERPROOF_TAKES_WANTS |
-               CENTROIDS | SPACES,
+               CENTROIDS | VALUES | SPACES,
 #endif
       .draw = DRAW,
 #if defined(NO_BATCHES)

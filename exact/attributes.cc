@@ -7,9 +7,11 @@
 #include <limits>
 #include <optional>
 
+#include "core/channel.h"
 #include "core/vertex.h"
 #include "exact/edge.h"
 #include "exact/rational.h"
+#include "exact/values.h"
 
 namespace rasterproof::exact {
 namespace {
@@ -45,25 +47,14 @@ std::optional<std::array<Rational, 3>> Barycentrics(const std::array<Point2, 3>&
 
 std::optional<Rational> Interpolate(const std::array<Point2, 3>& v,
                                     const std::array<double, 3>& attribute, Point2 p) {
-  const auto lambda = Barycentrics(v, p);
-  if (!lambda) return std::nullopt;
-  return (*lambda)[0] * attribute[0] + (*lambda)[1] * attribute[1] + (*lambda)[2] * attribute[2];
+  return Interpolant(WindowTriangle(v), p).Value(Interpolation::kLinear, ToAttribute(attribute));
 }
 
 std::optional<Rational> InterpolatePerspective(const std::array<Point2, 3>& v,
                                                const std::array<double, 3>& w,
                                                const std::array<double, 3>& attribute, Point2 p) {
-  const auto lambda = Barycentrics(v, p);
-  if (!lambda || w[0] == 0 || w[1] == 0 || w[2] == 0) return std::nullopt;
-  Rational numerator;
-  Rational denominator;
-  for (unsigned k = 0; k < 3; ++k) {
-    const Rational barycentric = (*lambda)[k] / w[k];
-    numerator += barycentric * attribute[k];
-    denominator += barycentric;
-  }
-  if (denominator.Sign() == 0) return std::nullopt;
-  return numerator / denominator;
+  return Interpolant(WindowTriangle(v, w), p)
+      .Value(Interpolation::kPerspective, ToAttribute(attribute));
 }
 
 std::optional<Rational> SquaredLineDistance(Point2 a, Point2 b, Point2 p) {

@@ -205,7 +205,8 @@ float Fused(const FloatForm& form) {
   return n / d;
 }
 
-// E(a, b; p) by differences from a, as most rasterizers have it: in the window alone.
+// E(a, b; p) by differences from a, as most rasterizers have it: in the window alone, where c and e
+// differ by a power of two.
 float ByEdgeFunctions(const FloatForm& form) {
   const auto edge = [](const Floats& a, const Floats& b, float x, float y) {
     return (x - a[0]) * (b[1] - a[1]) - (y - a[1]) * (b[0] - a[0]);
@@ -214,7 +215,7 @@ float ByEdgeFunctions(const FloatForm& form) {
   for (Floats& corner : v) corner = Over(corner, corner[2]);  // powers of two
   const auto x = static_cast<float>(form.p.x), y = static_cast<float>(form.p.y);
   const Floats e{edge(v[1], v[2], x, y), edge(v[2], v[0], x, y), edge(v[0], v[1], x, y)};
-  return DotProduct(e, form.a) / SumOf(e);
+  return DotProduct(e, form.a) / SumOf(e) * form.c[0] / form.e[0];
 }
 
 // The plane's slopes, from the first vertex: in the window alone.
@@ -226,8 +227,9 @@ float BySlopes(const FloatForm& form) {
   const float a1 = form.a[1] - form.a[0], a2 = form.a[2] - form.a[0];
   const float area = x1 * y2 - x2 * y1;
   const float by_x = (a1 * y2 - a2 * y1) / area, by_y = (a2 * x1 - a1 * x2) / area;
-  return form.a[0] + by_x * (static_cast<float>(form.p.x) - v[0][0]) +
-         by_y * (static_cast<float>(form.p.y) - v[0][1]);
+  const float value = form.a[0] + by_x * (static_cast<float>(form.p.x) - v[0][0]) +
+                      by_y * (static_cast<float>(form.p.y) - v[0][1]);
+  return value * form.c[0] / form.e[0];
 }
 
 // Underflow is an error of its own.

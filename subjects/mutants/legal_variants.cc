@@ -150,7 +150,8 @@ std::vector<Mutant> LegalVariants() {
        {Snaps,          Samples,          Freedoms,         OtherBases,       TransformVariants,
         MapVariants,    ScanlineVariants, SquareVariants,   ContractVariants, FreeVariants,
         SetVariants,    GridVariants,     FacingVariants,   FarVariants,      HistoryVariants,
-        SampleVariants, CentroidVariants, FragmentVariants, WidthVariants,    ListVariants}) {
+        SampleVariants, CentroidVariants, FragmentVariants, WidthVariants,    ListVariants,
+        ValueVariants}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;

@@ -15,6 +15,7 @@
 #include "subjects/mutants/real_geometry.h"
 #include "subjects/mutants/shown_values.h"
 #include "subjects/mutants/squares.h"
+#include "subjects/mutants/values.h"
 
 namespace rasterproof::subjects::mutants {
 
@@ -24,7 +25,7 @@ struct Mutant {
   std::string_view change;  ///< completes "a sound rasterizer, but ..."
   std::string_view source;  ///< where it was met: a bug report, an API's rule; may be empty
   std::variant<FixedStages, RealStages, ClipStages, ValueStages, TransformStages, FreeStages,
-               SquareStages, CentroidStages, ClippingStages>
+               SquareStages, CentroidStages, ClippingStages, ChannelStages>
       stages;
   std::string_view causes = {};   ///< as MutantInfo::causes
   std::string_view killers = {};  ///< properties that each find it, with "|" between them
@@ -64,6 +65,8 @@ std::vector<Mutant> SampleMutants();      // several samples a pixel
 std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
 std::vector<Mutant> ModeMutants();        // the caller's floating-point mode
 std::vector<Mutant> FragmentMutants();    // whose barycentrics, and what is asked for alone
+std::vector<Mutant> ValueMutants();       // values of channels
+std::vector<Mutant> SlopeMutants();       // their derivatives, and depths
 std::vector<Mutant> ListMutants();        // lists of more than 2^16 triangles
 /// Written after the generators and the properties were frozen.
 std::vector<Mutant> LateMutants();
@@ -84,6 +87,7 @@ std::vector<Mutant> HistoryVariants();   // that refuse a scene, and draw the ne
 std::vector<Mutant> SampleVariants();    // several samples a pixel
 std::vector<Mutant> CentroidVariants();  // those that show centroids
 std::vector<Mutant> FragmentVariants();  // those that show fragments in float32
+std::vector<Mutant> ValueVariants();     // those that show values of channels
 std::vector<Mutant> ListVariants();      // long lists
 std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
 

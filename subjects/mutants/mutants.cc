@@ -52,7 +52,8 @@ std::vector<Row> MakeRows() {
         mutants::SetMutants,       mutants::GridMutants,     mutants::FacingMutants,
         mutants::FarMutants,       mutants::HistoryMutants,  mutants::SampleMutants,
         mutants::CentroidMutants,  mutants::FragmentMutants, mutants::WidthMutants,
-        mutants::ModeMutants,      mutants::ListMutants}) {
+        mutants::ModeMutants,      mutants::ListMutants,     mutants::ValueMutants,
+        mutants::SlopeMutants}) {
     add(table(), "mutant:", false, false);
   }
   add(mutants::LateMutants(), "mutant:", false, true);
@@ -90,6 +91,9 @@ struct Maker {
   }
   std::unique_ptr<Subject> operator()(const mutants::ClippingStages& stages) const {
     return mutants::MakeClipping(info.name, info.change, stages);
+  }
+  std::unique_ptr<Subject> operator()(const mutants::ChannelStages& stages) const {
+    return mutants::MakeValues(info.name, info.change, stages);
   }
   std::unique_ptr<Subject> operator()(const mutants::CentroidStages& stages) const {
     return mutants::MakeCentroids(info.name, info.change, stages);

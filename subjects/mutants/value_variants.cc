@@ -1,0 +1,420 @@
+// Values of channels by each of the usual forms in float32, and by one that rounds correctly: with
+// each of the statements that a profile can make, and under legal sets.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <limits>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/channel.h"
+#include "core/sample_pattern.h"
+#include "core/value_rule.h"
+#include "subjects/mutants/mutant.h"
+#include "subjects/mutants/rounded_values.h"
+#include "subjects/mutants/values.h"
+
+namespace rasterproof::subjects::mutants {
+namespace {
+
+using Floats = std::array<float, 3>;
+using State = std::function<void(ChannelStages&)>;
+
+// A question in float32: the value is the sum of beta_i c_i a_i over that of beta_i e_i, times a
+// power of two. Corners and numbers are scaled by powers of two, so that nothing overflows.
+struct FloatForm {
+  std::array<Floats, 3> v{};  ///< x, y, w
+  Point2 p{};
+  Floats c{};
+  Floats e{};
+  Floats a{};
+  int exponent = 0;
+};
+
+int ExponentOf(std::initializer_list<double> numbers) {
+  double most = 0;
+  for (const double x : numbers) most = std::max(most, std::fabs(x));
+  return most == 0 ? 0 : std::ilogb(most);
+}
+
+float Scaled(double x, int exponent) { return static_cast<float>(std::ldexp(x, exponent)); }
+
+FloatForm FormOf(const ValueQuestion& q) {
+  FloatForm form{.p = q.at};
+  std::array<int, 3> exponents{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const HomogeneousCorner& v = q.v[i];
+    exponents[i] = ExponentOf({v.x, v.y, v.w});
+    form.v[i] = {Scaled(v.x, -exponents[i]), Scaled(v.y, -exponents[i]),
+                 Scaled(v.w, -exponents[i])};
+  }
+  const int least = std::ranges::min(exponents);
+  const int numbers = ExponentOf({q.a[0], q.a[1], q.a[2]});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const float power = Scaled(1, least - exponents[i]);
+    form.c[i] = q.interpolation == Interpolation::kLinear ? form.v[i][2] : power;
+    form.e[i] = q.IsPerspective() ? power : form.v[i][2];
+    form.a[i] = Scaled(q.a[i], -numbers);
+  }
+  form.exponent = numbers - (q.interpolation == Interpolation::kInverseW ? least : 0);
+  return form;
+}
+
+Floats CrossProduct(const Floats& a, const Floats& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+Floats FusedCrossProduct(const Floats& a, const Floats& b) {
+  return {std::fma(a[1], b[2], -(a[2] * b[1])), std::fma(a[2], b[0], -(a[0] * b[2])),
+          std::fma(a[0], b[1], -(a[1] * b[0]))};
+}
+
+float DotProduct(const Floats& a, const Floats& b) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+float At(const Floats& plane, Point2 p) {
+  return plane[0] * static_cast<float>(p.x) + plane[1] * static_cast<float>(p.y) + plane[2];
+}
+
+std::array<Floats, 3> Planes(const FloatForm& form) {
+  return {CrossProduct(form.v[1], form.v[2]), CrossProduct(form.v[2], form.v[0]),
+          CrossProduct(form.v[0], form.v[1])};
+}
+
+Floats FloatBetas(const FloatForm& form) {
+  const std::array<Floats, 3> planes = Planes(form);
+  return {At(planes[0], form.p), At(planes[1], form.p), At(planes[2], form.p)};
+}
+
+Floats Times(const Floats& a, const Floats& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
+Floats Over(const Floats& a, float divisor) {
+  return {a[0] / divisor, a[1] / divisor, a[2] / divisor};
+}
+float SumOf(const Floats& a) { return a[0] + a[1] + a[2]; }
+
+Floats FormWeights(const FloatForm& form) {
+  const Floats beta = FloatBetas(form);
+  return Over(Times(beta, form.c), SumOf(Times(beta, form.e)));
+}
+
+float ByProducts(const FloatForm& form) { return DotProduct(FormWeights(form), form.a); }
+
+float DividedLast(const FloatForm& form) {
+  const Floats beta = FloatBetas(form);
+  return DotProduct(Times(beta, form.c), form.a) / SumOf(Times(beta, form.e));
+}
+
+// From the vertex of the least number.
+float ByDifferences(const FloatForm& form) {
+  if (form.c != form.e) return DividedLast(form);  // weights do not sum to one
+  const auto size = [](float x) { return std::fabs(x); };
+  const auto from =
+      static_cast<std::size_t>(std::ranges::min_element(form.a, {}, size) - form.a.begin());
+  const Floats l = FormWeights(form);
+  const std::size_t j = (from + 1) % 3, k = (from + 2) % 3;
+  return form.a[from] + l[j] * (form.a[j] - form.a[from]) + l[k] * (form.a[k] - form.a[from]);
+}
+
+float FromTheFirstVertex(const FloatForm& form) {
+  if (form.c != form.e) return DividedLast(form);
+  const Floats l = FormWeights(form);
+  return form.a[0] + l[1] * (form.a[1] - form.a[0]) + l[2] * (form.a[2] - form.a[0]);
+}
+
+// A x + B y + C of the planes that are divided.
+float ByPlanes(const FloatForm& form) {
+  const std::array<Floats, 3> planes = Planes(form);
+  const auto sum = [&](const Floats& factors) {
+    Floats plane{};
+    for (std::size_t k = 0; k < 3; ++k)
+      plane[k] = DotProduct({planes[0][k], planes[1][k], planes[2][k]}, factors);
+    return At(plane, form.p);
+  };
+  return sum(Times(form.c, form.a)) / sum(form.e);
+}
+
+// Olano and Greer's: the corners' matrix, inverted.
+float ByInverseMatrix(const FloatForm& form) {
+  std::array<Floats, 3> rows = Planes(form);
+  const float determinant = DotProduct(rows[0], form.v[0]);
+  if (determinant != 0) {
+    for (Floats& row : rows) row = Over(row, determinant);
+  }
+  const Floats beta{At(rows[0], form.p), At(rows[1], form.p), At(rows[2], form.p)};
+  return DotProduct(Times(beta, form.c), form.a) / SumOf(Times(beta, form.e));
+}
+
+Floats ScreenWeights(const FloatForm& form) {
+  const Floats h = Times(FloatBetas(form), {form.v[0][2], form.v[1][2], form.v[2][2]});
+  return Over(h, SumOf(h));
+}
+
+bool CanDivideByW(const FloatForm& form) {
+  return form.v[0][2] != 0 && form.v[1][2] != 0 && form.v[2][2] != 0 &&
+         std::ranges::all_of(ScreenWeights(form), [](float x) { return std::isfinite(x); });
+}
+
+// The numbers over w, and 1/w, on the screen, and one division.
+float OverW(const FloatForm& form) {
+  if (!CanDivideByW(form)) return DividedLast(form);
+  Floats over{}, inverse{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    over[i] = form.a[i] * form.c[i] / form.v[i][2];
+    inverse[i] = form.e[i] / form.v[i][2];
+  }
+  const Floats l = ScreenWeights(form);
+  return DotProduct(l, over) / DotProduct(l, inverse);
+}
+
+float WeightsFirst(const FloatForm& form) {
+  if (!CanDivideByW(form)) return DividedLast(form);
+  const Floats l = ScreenWeights(form);
+  Floats weights{}, shares{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    weights[i] = l[i] / form.v[i][2] * form.c[i];
+    shares[i] = l[i] / form.v[i][2] * form.e[i];
+  }
+  return DotProduct(Over(weights, SumOf(shares)), form.a);
+}
+
+// 14 bits and a step of Newton's.
+float ByReciprocal(const FloatForm& form) {
+  const Floats beta = FloatBetas(form);
+  const float total = SumOf(Times(beta, form.e));
+  int exponent = 0;
+  const double fraction = std::frexp(1.0 / static_cast<double>(total), &exponent);
+  const float estimate = Scaled(std::nearbyint(std::ldexp(fraction, 14)), exponent - 14);
+  const float reciprocal = estimate * std::fma(-total, estimate, 2.0F);
+  return DotProduct(Times(beta, form.c), form.a) * reciprocal;
+}
+
+float Fused(const FloatForm& form) {
+  const auto at = [&](std::size_t j, std::size_t k) {
+    const Floats e = FusedCrossProduct(form.v[j], form.v[k]);
+    const auto x = static_cast<float>(form.p.x), y = static_cast<float>(form.p.y);
+    return std::fma(e[0], x, std::fma(e[1], y, e[2]));
+  };
+  const Floats beta{at(1, 2), at(2, 0), at(0, 1)};
+  const Floats f = Times(beta, form.c);
+  const float n = std::fma(f[0], form.a[0], std::fma(f[1], form.a[1], f[2] * form.a[2]));
+  const float d = std::fma(beta[0], form.e[0], std::fma(beta[1], form.e[1], beta[2] * form.e[2]));
+  return n / d;
+}
+
+// E(a, b; p) by differences from a, as most rasterizers have it: in the window alone, where c and e
+// differ by a power of two.
+float ByEdgeFunctions(const FloatForm& form) {
+  const auto edge = [](const Floats& a, const Floats& b, float x, float y) {
+    return (x - a[0]) * (b[1] - a[1]) - (y - a[1]) * (b[0] - a[0]);
+  };
+  std::array<Floats, 3> v = form.v;
+  for (Floats& corner : v) corner = Over(corner, corner[2]);  // powers of two
+  const auto x = static_cast<float>(form.p.x), y = static_cast<float>(form.p.y);
+  const Floats e{edge(v[1], v[2], x, y), edge(v[2], v[0], x, y), edge(v[0], v[1], x, y)};
+  return DotProduct(e, form.a) / SumOf(e) * form.c[0] / form.e[0];
+}
+
+// The plane's slopes, from the first vertex: in the window alone.
+float BySlopes(const FloatForm& form) {
+  std::array<Floats, 3> v = form.v;
+  for (Floats& corner : v) corner = Over(corner, corner[2]);
+  const float x1 = v[1][0] - v[0][0], y1 = v[1][1] - v[0][1];
+  const float x2 = v[2][0] - v[0][0], y2 = v[2][1] - v[0][1];
+  const float a1 = form.a[1] - form.a[0], a2 = form.a[2] - form.a[0];
+  const float area = x1 * y2 - x2 * y1;
+  const float by_x = (a1 * y2 - a2 * y1) / area, by_y = (a2 * x1 - a1 * x2) / area;
+  const float value = form.a[0] + by_x * (static_cast<float>(form.p.x) - v[0][0]) +
+                      by_y * (static_cast<float>(form.p.y) - v[0][1]);
+  return value * form.c[0] / form.e[0];
+}
+
+// Underflow is an error of its own.
+ChannelStages InFloat32(float (*form)(const FloatForm&), double conditions = kUsualConditions) {
+  ChannelStages stages;
+  stages.profile.values.error = {0, 0x1p-148, conditions};
+  stages.plane = [form](const ValueQuestion& q) {
+    if (!std::ranges::all_of(q.a, [](double x) { return std::isfinite(x); }))
+      return WeightedSum(WeightsOf(q), q.a);
+    const FloatForm f = FormOf(q);
+    return static_cast<double>(Scaled(static_cast<double>(form(f)), f.exponent));
+  };
+  return stages;
+}
+
+ChannelStages NearTheTarget(float (*form)(const FloatForm&)) {
+  constexpr double kConditions = 4096;
+  ChannelStages stages = InFloat32(form, kConditions);
+  stages.profile.coordinate_limit = 64;
+  stages.takes_clip = false;
+  return stages;
+}
+
+ChannelStages Changed(ChannelStages stages, const State& state) {
+  state(stages);
+  return stages;
+}
+
+ChannelStages RoundingCorrectly() {
+  ChannelStages stages;
+  ValueRule& rule = stages.profile.values;
+  rule.error = {.ulps = 0.5};
+  rule.equal_stay_equal = rule.exact_at_vertices = true;
+  rule.stays_in_hull = rule.agrees_along_edges = true;
+  stages.plane = [](const ValueQuestion& q) { return static_cast<double>(CorrectlyRounded(q)); };
+  return stages;
+}
+
+ChannelStages ByQuads(DerivativesBy by, int origin) {
+  ChannelStages stages;
+  stages.profile.values.derivatives = by;
+  stages.quad_origin = origin;
+  return stages;
+}
+
+ChannelStages WithDepths(DepthFormat format, DepthRounding rounding) {
+  ChannelStages stages;
+  stages.profile.values.depth = format;
+  stages.profile.values.depth_rounding = rounding;
+  return stages;
+}
+
+ChannelStages UnderPreset(std::string_view preset, ChannelStages stages, BarycentricsOf of) {
+  stages.base = StagesOfPreset(preset);
+  stages.barycentrics_of = of;
+  return stages;
+}
+
+ChannelStages Snapped(BarycentricsOf of) {
+  ChannelStages stages;
+  stages.profile.snap = {8};
+  stages.takes_clip = false;
+  stages.barycentrics_of = of;
+  return stages;
+}
+
+// NOLINTNEXTLINE(readability-function-size): a table
+std::vector<Mutant> ByForm() {
+  return {
+      {"values-double", "values are sums of weighted numbers in double", "", ChannelStages{}},
+      {"values-products", "values are three products in float32", "", InFloat32(ByProducts)},
+      {"values-divided-last", "a sum of products is divided at the end, in float32", "",
+       InFloat32(DividedLast)},
+      {"values-differences", "values are differences from the vertex of the least number", "",
+       Changed(InFloat32(ByDifferences),
+               [](ChannelStages& s) { s.profile.values.equal_stay_equal = true; })},
+      {"values-differences-first", "values are differences from the first vertex", "",
+       Changed(NearTheTarget(FromTheFirstVertex),
+               [](ChannelStages& s) { s.profile.values.equal_stay_equal = true; })},
+      {"values-planes", "values are planes from the origin, in float32", "", InFloat32(ByPlanes)},
+      {"values-slopes", "values are the plane's slopes from the first vertex, near the target", "",
+       NearTheTarget(BySlopes)},
+      {"values-edge-functions", "weights are edge functions in float32, near the target", "",
+       NearTheTarget(ByEdgeFunctions)},
+      {"values-over-w", "numbers over w and 1/w are interpolated and divided once", "",
+       InFloat32(OverW)},
+      {"values-weights-first", "screen weights are made perspective first", "",
+       InFloat32(WeightsFirst)},
+      {"values-inverse-matrix", "weights are rows of the corners' inverse matrix",
+       "Olano and Greer 1997", InFloat32(ByInverseMatrix)},
+      {"values-reciprocal", "1/w is a reciprocal of 14 bits and one step of Newton's", "",
+       InFloat32(ByReciprocal, 20)},
+      {"values-fused", "products and sums are fused, in float32", "", InFloat32(Fused)},
+      {"values-rounded-correctly", "values are the nearest floats", "", RoundingCorrectly()},
+  };
+}
+
+// NOLINTNEXTLINE(readability-function-size): a table
+std::vector<Mutant> ByStatement() {
+  return {
+      {"values-fine", "derivatives are differences in quads", "", ByQuads(DerivativesBy::kFine, 0)},
+      {"values-fine-odd", "derivatives are differences in quads that begin at odd pixels", "",
+       ByQuads(DerivativesBy::kFine, 1)},
+      {"values-coarse", "derivatives are the quad's", "", ByQuads(DerivativesBy::kCoarse, 0)},
+      {"values-coarse-odd", "derivatives are those of the quad, which begins at odd pixels", "",
+       ByQuads(DerivativesBy::kCoarse, 1)},
+      {"values-fine-float32", "derivatives are differences of values in float32", "",
+       Changed(InFloat32(DividedLast),
+               [](ChannelStages& s) { s.profile.values.derivatives = DerivativesBy::kFine; })},
+      {"values-provoking-last", "flat values come from the last vertex", "",
+       Changed({}, [](ChannelStages& s) { s.profile.values.provoking = ProvokingVertex::kLast; })},
+      {"values-provoking-unstated", "flat values come from the second vertex", "",
+       Changed({},
+               [](ChannelStages& s) {
+                 s.profile.values.provoking = ProvokingVertex::kUnstated;
+                 s.asked = [](ValueQuestion& q) { q.provoking = 1; };
+               })},
+      {"values-screen-weights", "barycentrics are of the screen", "",
+       Changed({}, [](ChannelStages& s) { s.profile.values.weights = WeightsIn::kScreen; })},
+      {"values-unstated", "nothing is stated of values", "",
+       Changed({}, [](ChannelStages& s) { s.profile.values = {}; })},
+      {"values-snapped", "values are of the corners on the grid", "",
+       Snapped(BarycentricsOf::kSnapped)},
+      {"values-given", "values are of the corners as given, coverage is not", "",
+       Snapped(BarycentricsOf::kGiven)},
+      {"values-four-samples", "values of four samples, at centres and centroids too", "",
+       Changed({},
+               [](ChannelStages& s) {
+                 s.profile.pattern = *StandardPattern(4);
+                 s.profile.centroid = Centroid::kDirect3D;
+                 s.profile.values.centroids = true;
+               })},
+      {"values-y-up", "y grows upwards", "",
+       Changed({}, [](ChannelStages& s) { s.profile.y_axis = YAxis::kUp; })},
+      {"values-y-up-fine", "y grows upwards, and derivatives are differences in quads", "",
+       Changed(ByQuads(DerivativesBy::kFine, 0),
+               [](ChannelStages& s) { s.profile.y_axis = YAxis::kUp; })},
+      {"values-depth-unorm24", "depths have 24 bits, the nearest", "",
+       WithDepths(DepthFormat::kUnorm24, DepthRounding::kNearest)},
+      {"values-depth-unorm16", "depths have 16 bits, the nearest", "",
+       WithDepths(DepthFormat::kUnorm16, DepthRounding::kNearest)},
+      {"values-depth-unorm24-below", "depths have 24 bits, rounded down", "",
+       Changed(WithDepths(DepthFormat::kUnorm24, DepthRounding::kEither),
+               [](ChannelStages& s) {
+                 s.depth = [](const ValueQuestion&, double z) {
+                   return std::floor(std::clamp(z, 0.0, 1.0) * (0x1p24 - 1)) / (0x1p24 - 1);
+                 };
+               })},
+      {"values-depth-float32", "depths are floats", "",
+       WithDepths(DepthFormat::kFloat32, DepthRounding::kNearest)},
+  };
+}
+
+// NOLINTNEXTLINE(readability-function-size): a table
+std::vector<Mutant> ByPreset() {
+  const auto last = [](ChannelStages& s) { s.profile.values.provoking = ProvokingVertex::kLast; };
+  const auto unstated = [](ChannelStages& s) { s.profile.values = {}; };
+  return {
+      {"vulkan-values", "values are of the corners as given, in float32", "",
+       UnderPreset("vulkan", InFloat32(DividedLast), BarycentricsOf::kGiven)},
+      {"vulkan-values-snapped", "values are of the snapped corners", "",
+       UnderPreset("vulkan", {}, BarycentricsOf::kSnapped)},
+      {"gl-values", "flat values come from the last vertex", "",
+       UnderPreset("gl", Changed(InFloat32(ByProducts), last), BarycentricsOf::kGiven)},
+      {"gl-values-4x", "values of four samples, in quads", "",
+       UnderPreset("gl-4x", ByQuads(DerivativesBy::kCoarse, 1), BarycentricsOf::kGiven)},
+      {"d3d11-values", "values of snapped corners, in quads", "",
+       UnderPreset("d3d11", ByQuads(DerivativesBy::kFine, 0), BarycentricsOf::kSnapped)},
+      {"d3d11-values-4x", "values of four samples", "",
+       UnderPreset("d3d11-4x",
+                   Changed({}, [](ChannelStages& s) { s.profile.values.centroids = true; }),
+                   BarycentricsOf::kSnapped)},
+      {"webgpu-values", "nothing is stated of values", "",
+       UnderPreset("webgpu", Changed(InFloat32(DividedLast), unstated), BarycentricsOf::kEither)},
+  };
+}
+
+}  // namespace
+
+std::vector<Mutant> ValueVariants() {
+  std::vector<Mutant> table = ByForm();
+  for (const auto part : {ByStatement, ByPreset}) {
+    for (Mutant& variant : part()) table.push_back(std::move(variant));
+  }
+  return table;
+}
+
+}  // namespace rasterproof::subjects::mutants

@@ -84,9 +84,9 @@ class DrawValues {
     for (std::size_t i = 0; i < 3; ++i) {
       const Family family = draw_.Below(2) == 0 ? Family::kUniform : Family::kHalfPixels;
       const double w = AnyW(kind);
-      double x = draw_.Coordinate(family);
-      double y = draw_.Coordinate(family);
-      if (w != 0) x *= w, y *= w;
+      const double scale = w != 0 ? w : 1;
+      const double x = draw_.Coordinate(family) * scale;
+      const double y = draw_.Coordinate(family) * scale;
       v[i] = {x, y, 0, w};
     }
     if (draw_.Below(24) == 0) {
@@ -377,7 +377,7 @@ NaiveValue FurthestMove(const Shown& shown, Interpolation interpolation) {
 // moved / condition, once it is found to be at most one but for terms of second order.
 double ShareOf(const mpq_class& moved, const Rational& condition) {
   const mpq_class most = ToNaive(condition);
-  EXPECT_LE(moved, most * (1 + NaiveTwoTo(-100)));
+  EXPECT_TRUE(moved <= most * (1 + NaiveTwoTo(-100)));
   return most == 0 ? 0 : mpq_class(moved / most).get_d();
 }
 

@@ -23,15 +23,15 @@ using Three = std::array<Rational, 3>;
 
 // The two products of each component of a cross product V_j x V_k over (x, y, w).
 struct CrossProducts {
-  Rational x[2];
-  Rational y[2];
-  Rational w[2];
+  std::array<Rational, 2> x;
+  std::array<Rational, 2> y;
+  std::array<Rational, 2> w;
 };
 
 CrossProducts ProductsOf(const HomogeneousTriangle& v, std::size_t i) {
   const HomogeneousPoint& a = v[(i + 1) % 3];
   const HomogeneousPoint& b = v[(i + 2) % 3];
-  return {{a.y * b.w, a.w * b.y}, {a.w * b.x, a.x * b.w}, {a.x * b.y, a.y * b.x}};
+  return {{{a.y * b.w, a.w * b.y}}, {{a.w * b.x, a.x * b.w}}, {{a.x * b.y, a.y * b.x}}};
 }
 
 // beta_i and its gradient, which is the same at every p.

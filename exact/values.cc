@@ -161,12 +161,12 @@ Rational Ulp(const Rational& value, Precision precision) {
 }
 
 bool IsWithin(double shown, const Rational& value, const Rational& condition,
-              const ErrorBound& bound) {
+              const ValueError& error, Precision precision) {
   if (!std::isfinite(shown)) return false;
-  const double roundoff = bound.precision == Precision::kFloat32 ? double{rounding_epsilon<float>()}
-                                                                 : rounding_epsilon<double>();
-  const Rational allowed = Rational(bound.ulps) * Ulp(value, bound.precision) + bound.absolute +
-                           Rational(bound.conditions) * roundoff * condition;
+  const double roundoff = precision == Precision::kFloat32 ? double{rounding_epsilon<float>()}
+                                                           : rounding_epsilon<double>();
+  const Rational allowed = Rational(error.ulps) * Ulp(value, precision) + error.absolute +
+                           Rational(error.conditions) * roundoff * condition;
   return (value - shown).Abs() <= allowed;
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/channel.h"
 #include "core/scene.h"
+#include "core/value_rule.h"
 #include "core/vertex.h"
 #include "exact/rational.h"
 
@@ -110,25 +111,17 @@ class Interpolant {
   Rational determinant_;
 };
 
-/// How far a shown number may lie from the exact one: the sum of three parts, each >= 0 and finite.
-struct ErrorBound {
-  double ulps = 0;        ///< times Ulp of the exact value
-  double absolute = 0;    ///< in the value's own unit
-  double conditions = 0;  ///< times the unit roundoff times the condition
-  /// The format that ulp and unit roundoff belong to.
-  Precision precision = Precision::kFloat32;
-};
-
 /// The distance of neighbours of the format in the binade [2^k, 2^(k+1)) that holds |value|: of the
 /// subnormals below the smallest binade, of the largest binade above it.
 Rational Ulp(const Rational& value, Precision precision);
 
 /// Whether |shown - value| <= ulps Ulp(value) + absolute + conditions u `condition`, with u = 2^-24
-/// or 2^-53. NaN and infinity never are.
+/// or 2^-53 by the precision. NaN and infinity never are.
 ///
+/// Domain:     an error whose parts are finite and not negative.
 /// Error:      none: the decision is that of exact numbers.
 bool IsWithin(double shown, const Rational& value, const Rational& condition,
-              const ErrorBound& bound);
+              const ValueError& error, Precision precision);
 
 /// The codes of an unsigned normalized format beside a value: those of c / (2^bits - 1) next to the
 /// value clamped to [0, 1].

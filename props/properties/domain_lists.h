@@ -63,9 +63,9 @@ inline constexpr auto kCentroids =
          std::to_array<std::string_view>({"sub-pixel-triangles", "rows-and-columns", "fans"}));
 
 // Clip space as values see it: in front of the eye, beside it, and around it.
-inline constexpr auto kClipValues =
-    std::to_array<std::string_view>({"perspective", "perspective-meshes", "cameras", "mixed-w",
-                                     "one-vertex-behind", "meshes-around-eye"});
+inline constexpr auto kClipValues = std::to_array<std::string_view>(
+    {"perspective", "perspective-meshes", "cameras", "mixed-w", "one-vertex-behind",
+     "meshes-around-eye", "w-ratios", "clip-slivers"});
 
 // What interpolation can get wrong, in window and clip space.
 inline constexpr auto kValueDomains = Both(kFragments, kClipValues);

@@ -33,7 +33,7 @@ TEST(IsWithin, DecidesJustInsideAndJustOutside) {
   const double nearest = (1.0F / 3);
   // The nearest float32 is 1/3 + 2^-25 / 3 and its ulp 2^-25: a third of an ulp, exactly.
   const auto within = [&](double shown, double ulps) {
-    return IsWithin(shown, third, 0, {ulps, 0, 0, Precision::kFloat32});
+    return IsWithin(shown, third, 0, {ulps, 0, 0}, Precision::kFloat32);
   };
   EXPECT_EQ((Rational(nearest) - third) * 3, Rational(0x1p-25));
   EXPECT_TRUE(within(nearest, std::nextafter(1.0 / 3, 1.0)));
@@ -42,24 +42,24 @@ TEST(IsWithin, DecidesJustInsideAndJustOutside) {
   EXPECT_FALSE(within(nearest - 0x1p-25, 0.5));
   EXPECT_TRUE(within(nearest - 0x1p-25, 0.75));
   // All three parts add up, in float64: 2^-52 + 2^-60 + 2^-53 * 10.
-  const ErrorBound bound{1, 0x1p-60, 2, Precision::kFloat64};
+  const ValueError bound{1, 0x1p-60, 2};
   const double edge = 1 + 0x1p-52 * 6;
-  EXPECT_TRUE(IsWithin(edge, Rational(1) - 0x1p-60, 5, {2, 0x1p-60, 2, Precision::kFloat64}))
+  EXPECT_TRUE(IsWithin(edge, Rational(1) - 0x1p-60, 5, {2, 0x1p-60, 2}, Precision::kFloat64))
       << "on the bound: two ulps of the binade below";
-  EXPECT_FALSE(IsWithin(edge, Rational(1) - 0x1p-60, 5, {2, 0x1p-61, 2, Precision::kFloat64}));
-  EXPECT_TRUE(IsWithin(edge, 1, 5, bound));
-  EXPECT_FALSE(IsWithin(edge + 0x1p-52, 1, 5, bound));
-  EXPECT_TRUE(IsWithin(1, 1, 0, {0, 0, 0, Precision::kFloat32})) << "no bound: equal";
-  EXPECT_FALSE(IsWithin(1, Rational(1) + Rational(0x1p-1074), 0, {0, 0, 0, Precision::kFloat32}));
+  EXPECT_FALSE(IsWithin(edge, Rational(1) - 0x1p-60, 5, {2, 0x1p-61, 2}, Precision::kFloat64));
+  EXPECT_TRUE(IsWithin(edge, 1, 5, bound, Precision::kFloat64));
+  EXPECT_FALSE(IsWithin(edge + 0x1p-52, 1, 5, bound, Precision::kFloat64));
+  EXPECT_TRUE(IsWithin(1, 1, 0, {0, 0, 0}, Precision::kFloat32)) << "no bound: equal";
+  EXPECT_FALSE(IsWithin(1, Rational(1) + Rational(0x1p-1074), 0, {0, 0, 0}, Precision::kFloat32));
 }
 
 TEST(IsWithin, IsNeverSoForWhatIsNoNumber) {
   const double infinity = std::numeric_limits<double>::infinity();
-  const ErrorBound wide{1e300, 1e300, 1e300, Precision::kFloat64};
+  const ValueError wide{1e300, 1e300, 1e300};
   for (const double shown : {std::numeric_limits<double>::quiet_NaN(), infinity, -infinity}) {
-    EXPECT_FALSE(IsWithin(shown, Rational(0x1p1023) * 4, 1, wide));
+    EXPECT_FALSE(IsWithin(shown, Rational(0x1p1023) * 4, 1, wide, Precision::kFloat64));
   }
-  EXPECT_TRUE(IsWithin(1, 0, 1, wide));
+  EXPECT_TRUE(IsWithin(1, 0, 1, wide, Precision::kFloat64));
 }
 
 TEST(ToUnorm, GivesBothNeighboursAndTheNearer) {

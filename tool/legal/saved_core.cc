@@ -63,9 +63,12 @@ io::CaseDrawing NumbersOf(const OneCall& drawn) {
 
 std::string SaveCore(const LegalOptions& options, const JudgedScene& judged, const OneCall& drawn,
                      const legal::Core& core, Subject* subject) {
-  io::CaseFile file{.value = {judged.scene, judged.profile, {}, "core of " + options.scene.path},
-                    .subject = options.subject,
-                    .property = "OneLegalModelExplainsTheMesh"};
+  io::CaseFile file;
+  file.value.scene = judged.scene;
+  file.value.profile = judged.profile;
+  file.value.origin = "core of " + options.scene.path;
+  file.subject = options.subject;
+  file.property = "OneLegalModelExplainsTheMesh";
   // What is assumed is no word of the profile's: the command assumes it again.
   if (options.transform_error) file.value.profile.freedom.transform_error.reset();
   CaseChoice again;

@@ -336,12 +336,18 @@ ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const Va
     check.expected = {"between ", range->low, " and ", range->high, " within ", range->tolerance};
     return check;
   }
-  const auto value = exact::Interpolant(*owners.known, PlaceOfValue(f, channel))
-                         .Value(channel.interpolation, exact::ToAttribute(numbers));
+  const exact::Interpolant interpolant(*owners.known, PlaceOfValue(f, channel));
+  const exact::Attribute a = exact::ToAttribute(numbers);
+  const auto value = interpolant.Value(channel.interpolation, a);
   if (!value) return {};
   const Distance distance = CompareWithExact(x, *value, range->tolerance);
-  check.holds = distance.within;
   check.ratio = distance.ratio;
+  // A tolerance of the usual forms is worked out in double as it is meant.
+  check.holds = distance.within;
+  if (shown.rule.error.IsStated()) {
+    const exact::Rational condition = interpolant.Conditions(channel.interpolation, a)->value;
+    check.holds = exact::IsWithin(x, *value, condition, shown.rule.error, shown.precision);
+  }
   check.expected = {Exactly(*value), " within ", range->tolerance};
   return check;
 }

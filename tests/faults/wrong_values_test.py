@@ -1,0 +1,70 @@
+"""Faults of values in a rasterizer that shares no code with the product: found, and named.
+
+usage: wrong_values_test.py PROGRAM LIBRARY
+
+LIBRARY is wrong_values.c. A fault is named wrongly if a cause is claimed that is not its own.
+"""
+import concurrent.futures
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM, LIBRARY = (os.path.abspath(path) for path in sys.argv[1:3])
+CASES = "100"
+SEEDS = ("1",) if os.environ.get("RASTERPROOF_MORE", "") in ("", "0") else "12345"
+
+# The section of docs/causes.md that names it.
+FAULTS = {
+    "affine": "affine-weights",
+    "linear-curved": "affine-weights",
+    "twice": "weights-by-w",
+    "multiplied": "weights-by-w",
+    "not-divided": "missing-division",
+    "first-two": "exchanged-weights",
+    "last-two": "exchanged-weights",
+    "last-two-of-back": "exchanged-weights",
+    "rotated": "exchanged-weights",
+    "flat-last": "wrong-provoking-vertex",
+    "corner": "wrong-place",
+    "half": "shown-values",
+    "depth-in-perspective": "shown-values",
+}
+
+
+def check(fault, seed="1", weights="perspective"):
+    """The status, and the names of the causes that are told of each violated property."""
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "found.json")
+        done = subprocess.run(
+            [PROGRAM, "check", "--plugin", LIBRARY, "--cases", CASES, "--jobs", "1", "--seed", seed,
+             "--json", path],
+            env={**os.environ, "RASTERPROOF_FAULT": fault, "RASTERPROOF_WEIGHTS": weights},
+            capture_output=True, text=True, check=False)  # fmt: skip
+        if done.returncode not in (0, 1):
+            raise AssertionError(done.stdout + done.stderr)
+        with open(path, encoding="utf-8") as file:
+            found = json.load(file)
+    return done.returncode, {cause["name"] for cause in found.get("causes", [])}, done.stdout
+
+
+class WrongValues(unittest.TestCase):
+    def test_the_sound_one_holds(self):
+        for weights in ("perspective", "screen"):
+            for seed in SEEDS:
+                status, _, said = check("", seed, weights)
+                self.assertEqual(status, 0, said)
+
+    def test_each_fault_is_found_and_named(self):
+        with concurrent.futures.ThreadPoolExecutor(2) as pool:
+            for fault, found in zip(FAULTS, pool.map(check, FAULTS), strict=True):
+                status, causes, said = found
+                with self.subTest(fault):
+                    self.assertEqual(status, 1, said)
+                    self.assertEqual(causes, {FAULTS[fault]}, said)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -29,6 +29,8 @@ constexpr std::uint64_t kFirstTried = std::uint64_t{1} << 21;
 // What a mistake computes is rounded as often as what is right, or a few times more.
 constexpr double kMistakeConditions = 2 * kUsualConditions;
 
+constexpr int kMostFewBits = 18;  // of float32's 24
+
 using Numbers = std::array<double, 3>;
 
 // One number that is shown, and what it is of.
@@ -82,6 +84,10 @@ void AddPlanes(std::vector<Mistake>& list) {
                   plane(Interpolation::kPerspective, Interpolation::kLinear)});
   list.push_back({"affine-weights", "interpolates in perspective what is affine on the screen",
                   plane(Interpolation::kLinear, Interpolation::kPerspective)});
+  list.push_back({"affine-weights", "interpolates depth in perspective",
+                  plane(Interpolation::kInverseW, Interpolation::kPerspective)});
+  list.push_back({"missing-division", "does not divide depth by w",
+                  plane(Interpolation::kInverseW, Interpolation::kLinear)});
   list.push_back({"missing-division", "does not divide by the interpolated 1/w",
                   plane(Interpolation::kPerspective, Interpolation::kInverseW)});
   const auto power = [](int of) {
@@ -249,26 +255,54 @@ class Search {
   explicit Search(Subject& subject) : subject_(subject), left_(AllMistakes()) {}
 
   void Compare(const Property& property, const Case& c, std::size_t number);
-  bool IsOver() const { return left_.empty() || is_stopped_; }
+  bool IsOver() const { return is_stopped_; }
   ValueMistake Found() const;
 
  private:
   void CompareDrawing(const PlacedCase& placed, const DrawJob& job, const Drawing& drawing,
                       std::size_t number);
   void CompareNumber(const Shown& s, std::size_t number);
+  void LookAtBits(const Shown& s);
 
   Subject& subject_;
   std::vector<Mistake> left_;
   std::size_t numbers_ = 0;
   std::size_t wrong_ = 0;
+  int most_bits_ = 0;    // of all numbers that are no vertex's
+  double most_off_ = 0;  // relatively
+  std::set<std::size_t> wrong_cases_;
   bool is_stopped_ = false;
 };
+
+// The bits from the first that is set to the last.
+int SignificantBits(double x) {
+  constexpr int kBitsOfADouble = 53;
+  int exponent = 0;
+  auto mantissa =
+      static_cast<std::uint64_t>(std::ldexp(std::fabs(std::frexp(x, &exponent)), kBitsOfADouble));
+  if (mantissa == 0) return 0;
+  int bits = kBitsOfADouble;
+  for (; (mantissa & 1U) == 0; mantissa >>= 1U) --bits;
+  return bits;
+}
+
+void Search::LookAtBits(const Shown& s) {
+  if (!IsInterpolated(s) || !std::isfinite(s.x) || std::ranges::count(s.numbers, s.x) != 0) return;
+  const double value = Estimated(s, s.channel.interpolation, s.numbers, PlaceOf(s)).value;
+  if (!std::isfinite(value) || value == 0) return;
+  most_bits_ = std::max(most_bits_, SignificantBits(s.x));
+  most_off_ = std::max(most_off_, std::fabs(s.x / value - 1));
+}
 
 void Search::CompareNumber(const Shown& s, std::size_t number) {
   const Fit stated = Stated(s);
   if (stated == Fit::kUnknown) return;
   ++numbers_;
-  wrong_ += stated == Fit::kWrong ? 1 : 0;
+  if (stated == Fit::kWrong) {
+    ++wrong_;
+    wrong_cases_.insert(number);
+  }
+  LookAtBits(s);
   std::erase_if(left_, [&](Mistake& mistake) {
     const Fit fit = ShownBy(mistake, s, stated);
     if (fit == Fit::kWrong) return true;
@@ -311,7 +345,6 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
       if (same != others.end() && same->readings.size() == 1)
         s.other_corners = &same->readings.front().corners.front();
       CompareNumber(s, number);
-      if (left_.empty()) return;
     }
   }
 }
@@ -350,10 +383,21 @@ ValueMistake Search::Found() const {
     if (found.name.empty()) found.name = mistake.name;
     found.what.push_back(mistake.what);
   }
+  const bool are_few =
+      most_bits_ > 0 && most_bits_ <= kMostFewBits && most_off_ <= std::ldexp(1.0, 1 - most_bits_);
+  if (found.name.empty() && are_few && wrong_cases_.size() >= kFewestScenes) {
+    found.name = "few-bits";
+    found.what = {"keeps " + std::to_string(most_bits_) + " bits of a value"};
+  }
   return found;
 }
 
 }  // namespace
+
+bool IsAboutShownNumbers(Shows shows) {
+  return shows == Shows::kFragments || shows == Shows::kDepths || shows == Shows::kValues ||
+         shows == Shows::kDerivatives;
+}
 
 ValueMistake FindValueMistake(Subject& subject, const FailedProperty& failure, double seconds) {
   Search search(subject);

@@ -82,7 +82,7 @@ std::vector<Mutant> OfSlopes() {
       {"values-dx-few-bits", "derivatives are multiples of 2^-12", "",
        Deriving(kPlane,
                 [](const ValueQuestion&, Slope d) { return Slope{Fixed12(d[0]), Fixed12(d[1])}; }),
-       "shown-values|few-bits", kDerivativesKill},
+       "shown-values", kDerivativesKill},
       {"values-dx-stale", "derivatives in the last column are those of the one before", "",
        Deriving(kPlane,
                 [](const ValueQuestion& q, Slope sound) {
@@ -172,7 +172,7 @@ std::vector<Mutant> OfDepths() {
       {"values-depth-16-bits", "depths have 16 bits, where 24 are stated", "",
        Deepening(k24, [](const ValueQuestion&,
                          double z) { return InDepthFormat(z, DepthFormat::kUnorm16); }),
-       "few-bits|shown-values", kFormatKills},
+       "shown-values", kFormatKills},
       {"values-depth-truncated", "depths are rounded down, where the nearest is stated", "",
        Deepening(k24, [](const ValueQuestion&,
                          double z) { return std::floor(std::clamp(z, 0.0, 1.0) * kMost) / kMost; }),
@@ -216,7 +216,7 @@ std::vector<Mutant> OfDepths() {
       {"values-depth-24-bits-shown", "depths have 24 bits, and none are stated", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) { return q.clip_space ? Depth24(z) : z; }),
-       "few-bits|shown-values", kDepthsKill},
+       "shown-values", kDepthsKill},
   };
 }
 

@@ -229,33 +229,35 @@ std::vector<Mutant> OfPrecision() {
          const double w = WAt(q);
          return value / w * RoundedToBits(w, 12);
        }),
-       "few-bits", kValuesKill},
+       "shown-values", kValuesKill},
       {"values-half", "values are half floats", "",
-       ChangingValues([](const Question&, double value) { return Half(value); }), "few-bits",
+       ChangingValues([](const Question&, double value) { return Half(value); }), "shown-values",
        kValuesKill},
       {"values-bfloat", "values have eight significant bits", "",
        ChangingValues([](const Question&, double value) { return RoundedToBits(value, 8); }),
-       "few-bits", kValuesKill},
+       "shown-values", kValuesKill},
       {"values-half-numbers", "numbers at the vertices are rounded to half floats", "",
        AskingOfChannels([](Question& q) {
          for (double& number : q.a) number = Half(number);
        }),
-       "few-bits", kValuesKill},
+       "shown-values", kValuesKill},
       {"values-8-bit-weights", "weights have eight fractional bits", "",
-       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-8); }), "few-bits", kValuesKill},
+       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-8); }), "shown-values",
+       kValuesKill},
       {"values-16-bit-weights", "weights have sixteen fractional bits", "",
-       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-16); }), "few-bits", kValuesKill},
+       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-16); }), "shown-values",
+       kValuesKill},
       {"values-large-lost", "values beyond 65504 are infinite", "",
        ChangingValues([](const Question&, double value) {
          return std::fabs(value) > 65504 ? std::copysign(HUGE_VAL, value) : value;
        }),
-       "few-bits", kValuesKill},
+       "shown-values", kValuesKill},
       {"values-flushed", "values below the normal floats are zero", "",
        ChangingValues([](const Question& q, double value) {
          const bool is_small = std::fabs(value) < std::numeric_limits<float>::min();
          return is_small && q.interpolation != Interpolation::kFlat ? 0.0 : value;
        }),
-       "few-bits|shown-values", kValuesKill},
+       "shown-values", kValuesKill},
       {"values-clamped", "values are clamped to [0, 1]", "",
        ChangingValues([](const Question& q, double value) {
          return q.interpolation == Interpolation::kInverseW ? value : std::clamp(value, 0.0, 1.0);

@@ -12,7 +12,8 @@ struct ValueError {
   double absolute = 0;  ///< in the number's own unit
   /// Units of rounding (2^-24 or 2^-53) of the condition: by how much the number moves, to first
   /// order, where each product of the edge values is off by as much as it is large
-  /// (exact/values.h).
+  /// (exact/values.h). To first order: c conditions promise c / (1 - e) of them where the
+  /// denominator is itself off by up to a share e of it, and nothing where e reaches one half.
   double conditions = 0;
 
   bool IsStated() const { return ulps > 0 || absolute > 0 || conditions > 0; }
@@ -46,6 +47,23 @@ enum class DepthFormat : std::uint8_t {
   kUnorm24,
   kUnorm32
 };
+
+/// The distance of two depths of a normalized format: 1 / (2^bits - 1); 0: floating point.
+constexpr double DepthStep(DepthFormat format) {
+  switch (format) {
+    case DepthFormat::kUnorm16:
+      return 1.0 / 0xffff;
+    case DepthFormat::kUnorm24:
+      return 1.0 / 0xffffff;
+    case DepthFormat::kUnorm32:
+      return 1.0 / 0xffffffff;
+    case DepthFormat::kUnstated:
+    case DepthFormat::kFloat32:
+    case DepthFormat::kFloat64:
+      break;
+  }
+  return 0;
+}
 
 /// Which of the format's two neighbours of a depth is shown.
 enum class DepthRounding : std::uint8_t { kEither, kNearest };

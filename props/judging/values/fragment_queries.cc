@@ -100,7 +100,8 @@ class Depths {
 
 // `size`: the sum of the exact barycentrics' magnitudes, at most.
 double DepthTolerance(const SubjectInfo& info, const Fragment& f, double size) {
-  if (info.fragments.depth_error > 0) return info.fragments.depth_error;
+  const double step = DepthStep(info.profile.values.depth);
+  if (info.fragments.depth_error > 0) return info.fragments.depth_error + step;
   const double u = UnitRoundoff(info.input);
   // Barycentrics that are off by t_i move the depth by at most sum t_i max |z|, by barycentrics or,
   // z being of one sign, by deltas.
@@ -108,7 +109,9 @@ double DepthTolerance(const SubjectInfo& info, const Fragment& f, double size) {
   for (const double tolerance : f.barycentric_tolerances) barycentric_error += tolerance;
   const double largest = std::max({std::fabs(f.z[0]), std::fabs(f.z[1]), std::fabs(f.z[2])});
   return kSecondOrderFactor *
-         (barycentric_error + kDepthErrorMultiplier * u * (size + barycentric_error)) * largest;
+             (barycentric_error + kDepthErrorMultiplier * u * (size + barycentric_error)) *
+             largest +
+         step;
 }
 
 double SizeOfBarycentrics(const BarycentricQuery& q) {

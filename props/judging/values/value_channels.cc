@@ -25,7 +25,8 @@ double Cancelling(std::size_t k) {
   return k % 2 == 0 ? size : -size;
 }
 double Large(std::size_t k) { return (1 + static_cast<double>(k % 3) / 4) * 0x1p60; }
-double Small(std::size_t k) { return static_cast<double>(1 + k % 7) * 0x1p-100; }
+// Subnormal in float32.
+double Small(std::size_t k) { return static_cast<double>(1 + k % 7) * 0x1p-130; }
 double Numbered(std::size_t k) { return static_cast<double>(k % 4096 + 1); }
 
 }  // namespace

@@ -73,6 +73,7 @@ ValueEstimate EstimateValue(const RayCorners& v, Interpolation interpolation,
   }
   const double magnitude = std::fabs(d);
   estimate.condition = size / magnitude;
+  estimate.denominator_condition = denominator_size / magnitude;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const double slope = (dn[axis] - estimate.value * dd[axis]) / d;
     estimate.derivatives[axis] = slope;

@@ -27,6 +27,7 @@ struct ValueEstimate {
   std::array<double, 2> derivatives{};
   std::array<double, 2> derivative_conditions{};
   double denominator = 0;  ///< its sign tells the sides of the horizon apart
+  double denominator_condition = 0;  ///< of the denominator alone, relative to it
 };
 
 /// Each of the few dozen roundings in a value, times the sum of magnitudes that it belongs to, is

@@ -136,6 +136,17 @@ double LeastNormal(Precision precision) {
   return precision == Precision::kFloat32 ? 0x1p-126 : std::numeric_limits<double>::min();
 }
 
+double ConditionsIn(const ValueError& error) {
+  return error.IsStated() ? error.conditions : kUsualConditions;
+}
+
+// A condition bounds an error to first order: of n / d, with d off by a share e of itself, it grows
+// by 1 / (1 - e). Nothing where d may be half as large as it should be.
+std::optional<double> GrowthOf(const ValueEstimate& e, double conditions, Precision precision) {
+  const double share = conditions * UnitRoundoff(precision) * e.denominator_condition;
+  return share < 0.5 ? std::optional(1 / (1 - share)) : std::nullopt;
+}
+
 // What the usual forms may be off. Underflows: each product and the value itself lose at most half
 // the least subnormal, which is u times the least normal number.
 std::optional<double> UsualTolerance(const ValueEstimate& e, const RayCorners& v,
@@ -157,9 +168,14 @@ std::optional<double> UsualTolerance(const ValueEstimate& e, const RayCorners& v
 std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate& e,
                                   const RayCorners& v, const std::array<double, 3>& numbers) {
   const ValueError& error = shown.rule.error;
-  if (!error.IsStated()) return UsualTolerance(e, v, numbers, shown.precision);
-  return error.ulps * UlpOf(e.value, shown.precision) + error.absolute +
-         error.conditions * UnitRoundoff(shown.precision) * e.condition;
+  const auto growth = GrowthOf(e, ConditionsIn(error), shown.precision);
+  if (!growth) return std::nullopt;
+  if (error.IsStated()) {
+    return error.ulps * UlpOf(e.value, shown.precision) + error.absolute +
+           *growth * error.conditions * UnitRoundoff(shown.precision) * e.condition;
+  }
+  const auto usual = UsualTolerance(e, v, numbers, shown.precision);
+  return usual ? std::optional(*growth * *usual) : std::nullopt;
 }
 
 // Whether no exchange of two vertices, and no other plane, gives what may be shown.
@@ -306,17 +322,18 @@ std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueF
                                           const RayCorners& v, const Channel& channel, Point2 at,
                                           double number, double condition) {
   if (!std::isfinite(number) || !std::isfinite(condition)) return std::nullopt;
-  const ValueError& error = shown.rule.derivative_error;
-  if (error.IsStated()) {
-    return error.ulps * UlpOf(number, shown.precision) + error.absolute +
-           error.conditions * UnitRoundoff(shown.precision) * condition;
-  }
   const std::array<double, 3> numbers = NumbersAt(f, channel);
   const ValueEstimate e = EstimateValue(v, channel.interpolation, numbers, at);
-  const std::optional<double> of_value = UsualTolerance(e, v, numbers, shown.precision);
+  const ValueError& error = shown.rule.derivative_error;
+  const double units = ConditionsIn(error) * UnitRoundoff(shown.precision);
+  const auto growth = GrowthOf(e, ConditionsIn(error), shown.precision);
+  if (!growth) return std::nullopt;
+  const double of_condition = *growth * *growth * units * condition;  // d is in it squared
+  if (error.IsStated())
+    return error.ulps * UlpOf(number, shown.precision) + error.absolute + of_condition;
+  const auto of_value = UsualTolerance(e, v, numbers, shown.precision);
   if (!of_value) return std::nullopt;
-  const double lost = *of_value - kUsualConditions * UnitRoundoff(shown.precision) * e.condition;
-  return 2 * (kUsualConditions * UnitRoundoff(shown.precision) * condition + lost);
+  return 2 * (of_condition + *of_value - units * e.condition);  // with what underflows
 }
 
 ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners,
@@ -346,7 +363,11 @@ ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const Va
   check.holds = distance.within;
   if (shown.rule.error.IsStated()) {
     const exact::Rational condition = interpolant.Conditions(channel.interpolation, a)->value;
-    check.holds = exact::IsWithin(x, *value, condition, shown.rule.error, shown.precision);
+    const ValueEstimate e = EstimateValue(owners.corners.front(), channel.interpolation, numbers,
+                                          PlaceOfValue(f, channel));
+    ValueError error = shown.rule.error;
+    error.conditions *= *GrowthOf(e, error.conditions, shown.precision);
+    check.holds = exact::IsWithin(x, *value, condition, error, shown.precision);
   }
   check.expected = {Exactly(*value), " within ", range->tolerance};
   return check;

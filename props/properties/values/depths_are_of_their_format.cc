@@ -16,42 +16,26 @@
 namespace rasterproof::props {
 namespace depths_are_of_their_format {
 
-// Steps of 1 / (2^bits - 1); 0: floating point.
-int BitsOf(DepthFormat format) {
-  switch (format) {
-    case DepthFormat::kUnorm16:
-      return 16;
-    case DepthFormat::kUnorm24:
-      return 24;
-    case DepthFormat::kUnorm32:
-      return 32;
-    case DepthFormat::kUnstated:
-    case DepthFormat::kFloat32:
-    case DepthFormat::kFloat64:
-      break;
-  }
-  return 0;
-}
-
 // A program shows the code as a double: code / (2^bits - 1), rounded once, or in float32.
 bool IsOfTheFormat(double x, DepthFormat format) {
-  const int bits = BitsOf(format);
-  if (bits == 0) {
+  const double step = DepthStep(format);
+  if (step == 0) {
     return format == DepthFormat::kFloat64 || x == static_cast<double>(static_cast<float>(x));
   }
-  const double most = std::ldexp(1.0, bits) - 1;
+  const double most = std::nearbyint(1 / step);
   const double code = std::nearbyint(x * most);
   if (!(code >= 0 && code <= most)) return false;
   const double value = code / most;
   return x == value || x == static_cast<double>(static_cast<float>(value));
 }
 
-// One step of the format, or half of it, beside what the depth may be off before it is rounded.
+// One step of the format, or half of it, beside what the depth may be off before it is rounded; and
+// what float32 rounds if that is what it is shown in.
 double RoundingOf(const ValueRule& rule, double x) {
-  const int bits = BitsOf(rule.depth);
   const double share = rule.depth_rounding == DepthRounding::kNearest ? 0.5 : 1;
-  if (bits != 0) return share / (std::ldexp(1.0, bits) - 1) + 0x1p-24 * 0x1p-29;
-  return share * std::ldexp(std::fabs(x), rule.depth == DepthFormat::kFloat32 ? -23 : -52);
+  const double step = DepthStep(rule.depth);
+  const double shown = std::ldexp(std::fabs(x), rule.depth == DepthFormat::kFloat64 ? -52 : -24);
+  return step != 0 ? share * step + shown : 2 * share * shown;
 }
 
 Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwners& owners) {

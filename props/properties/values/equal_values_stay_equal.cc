@@ -13,13 +13,15 @@
 namespace rasterproof::props {
 namespace equal_values_stay_equal {
 
-Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& /*owners*/) {
+Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
   std::uint64_t exercised = 0;
   for (std::size_t k = 0; k < shown.channels.size(); ++k) {
     const Channel& channel = shown.channels[k];
     if (channel.interpolation == Interpolation::kInverseW) continue;
+    const bool is_flat = channel.interpolation == Interpolation::kFlat;
     const std::array<double, 3> a = NumbersAt(f, channel);
     if (a[0] != a[1] || a[1] != a[2] || !std::isfinite(a[0])) continue;
+    if (!is_flat && !RangeOf(shown, f, owners, channel, NumbersAt(f, channel))) continue;
     ++exercised;
     const double x = shown.Of(f, k);
     if (x != a[0])

@@ -4,11 +4,16 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/value_rule.h"
+#include "props/judging/redraw.h"
 #include "props/judging/values/derivative_queries.h"
+#include "props/judging/values/one_by_one.h"
 #include "props/judging/values/value_queries.h"
 #include "props/placed_case.h"
 #include "props/properties/domain_lists.h"
@@ -18,17 +23,29 @@
 namespace rasterproof::props {
 namespace quad_differences_equal_differences_of_values {
 
-// The sample of the pixel beside it that shows the same triangle; nothing if that shows another.
-std::optional<std::size_t> Beside(const ShownValues& shown, const ValueFragment& f, int axis,
-                                  int by) {
-  const CoverageCounts& counts = shown.drawing.counts;
-  const int x = f.place.x + (axis == 0 ? by : 0);
-  const int row = f.place.row + (axis == 1 ? by : 0);
-  if (x < 0 || row < 0 || x >= counts.width || row >= counts.height) return std::nullopt;
-  const std::size_t index = counts.Index(x, row, f.place.sample);
-  if (shown.drawing.primitive_ids[index] != f.triangle) return std::nullopt;
-  return index;
-}
+// The numbers that a drawing shows at a sample, or at one beside it.
+struct Derivatives {
+  const ShownValues& shown;
+  const PlacedCase& c;
+
+  // The sample of the pixel beside it that shows the same triangle; nothing if that shows another.
+  std::optional<std::size_t> Beside(const ValueFragment& f, int dx, int drow) const {
+    const CoverageCounts& counts = shown.drawing.counts;
+    const int x = f.place.x + dx;
+    const int row = f.place.row + drow;
+    if (x < 0 || row < 0 || x >= counts.width || row >= counts.height) return std::nullopt;
+    const std::size_t index = counts.Index(x, row, f.place.sample);
+    if (shown.drawing.primitive_ids[index] != f.triangle) return std::nullopt;
+    return index;
+  }
+  double Value(std::size_t index, std::size_t k) const {
+    return shown.drawing.values[index * shown.channels.size() + k];
+  }
+  double Of(std::size_t index, std::size_t k, int axis) const {
+    return shown.drawing
+        .derivatives[index * shown.channels.size() + k][static_cast<std::size_t>(axis)];
+  }
+};
 
 // One rounding of the difference, in the format of the values.
 bool IsTheDifference(double shown, double to, double from, double u) {
@@ -37,43 +54,102 @@ bool IsTheDifference(double shown, double to, double from, double u) {
          2 * u * std::fabs(difference) + 0x1p-52 * (std::fabs(to) + std::fabs(from));
 }
 
-Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& /*owners*/) {
+// A fine difference is that to the next pixel of the row (column), or from the one before.
+Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
   std::uint64_t exercised = 0;
-  const double u = shown.precision == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
-  for (std::size_t k = 0; k < shown.channels.size(); ++k) {
-    const Channel& channel = shown.channels[k];
+  const double u = d.shown.precision == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
+  for (std::size_t k = 0; k < d.shown.channels.size(); ++k) {
+    const Channel& channel = d.shown.channels[k];
     if (channel.at != EvaluatedAt::kSample) continue;
-    const double here = shown.Of(f, k);
     for (const int axis : {0, 1}) {
-      const auto before = Beside(shown, f, axis, -1);
-      const auto after = Beside(shown, f, axis, 1);
+      const auto before = d.Beside(f, axis == 0 ? -1 : 0, axis == 1 ? -1 : 0);
+      const auto after = d.Beside(f, axis == 0 ? 1 : 0, axis == 1 ? 1 : 0);
       if (!before || !after) continue;  // the quad's other pixel may be one that shows nothing
-      const double previous = shown.drawing.values[*before * shown.channels.size() + k];
-      const double next = shown.drawing.values[*after * shown.channels.size() + k];
+      const double here = d.Value(f.index, k);
+      const double previous = d.Value(*before, k);
+      const double next = d.Value(*after, k);
       if (!std::isfinite(previous) || !std::isfinite(next) || !std::isfinite(here)) continue;
-      const double x = shown.DerivativesOf(f, k)[static_cast<std::size_t>(axis)];
       // Rows are stored from the top, whichever way y grows.
-      const double sign = axis == 1 && shown.is_y_up ? -1 : 1;
+      const double sign = axis == 1 && d.shown.is_y_up ? -1 : 1;
+      const double x = sign * d.Of(f.index, k, axis);
       exercised += next != previous ? 1 : 0;
-      if (IsTheDifference(sign * x, next, here, u) || IsTheDifference(sign * x, here, previous, u))
-        continue;
+      if (IsTheDifference(x, next, here, u) || IsTheDifference(x, here, previous, u)) continue;
       return ValueViolation(f, channel,
                             axis == 0 ? "changes otherwise along x than its neighbours say"
                                       : "changes otherwise along y than its neighbours say",
-                            {x}, {sign * (next - here), " or ", sign * (here - previous)});
+                            {x}, {next - here, " or ", here - previous});
     }
   }
   return Verdict::Held(exercised);
 }
 
+// Whether the pixels of the fragment's quad that show its triangle have one derivative each, where
+// quads begin at pixels of these parities. Fine ones differ between rows (columns).
+bool HasOneDerivative(const Derivatives& d, const ValueFragment& f, std::size_t k, int axis,
+                      int parity_x, int parity_row) {
+  const bool is_coarse = d.shown.rule.derivatives == DerivativesBy::kCoarse;
+  const int dx = (f.place.x - parity_x) % 2 == 0 ? 1 : -1;
+  const int drow = (f.place.row - parity_row) % 2 == 0 ? 1 : -1;
+  const double here = d.Of(f.index, k, axis);
+  for (const auto& [x, row] : {std::pair(dx, 0), std::pair(0, drow), std::pair(dx, drow)}) {
+    const bool is_along = axis == 0 ? row == 0 : x == 0;
+    if (!is_coarse && !is_along) continue;
+    const auto beside = d.Beside(f, x, row);
+    if (beside && !(d.Of(*beside, k, axis) == here)) return false;
+  }
+  return true;
+}
+
+// One alignment of quads must explain all fragments.
+Verdict JudgeAlignment(const Derivatives& d, const std::vector<ValueFragment>& fragments) {
+  std::array<bool, 4> is_possible{true, true, true, true};
+  for (const ValueFragment& f : fragments) {
+    for (std::size_t k = 0; k < d.shown.channels.size(); ++k) {
+      if (d.shown.channels[k].at != EvaluatedAt::kSample || !std::isfinite(d.Value(f.index, k)))
+        continue;
+      for (const int axis : {0, 1}) {
+        for (int parities = 0; parities < 4; ++parities) {
+          bool& possible = is_possible[static_cast<std::size_t>(parities)];
+          possible = possible && HasOneDerivative(d, f, k, axis, parities % 2, parities / 2);
+        }
+        if (std::ranges::any_of(is_possible, std::identity())) continue;
+        return ValueViolation(f, d.shown.channels[k],
+                              "has derivatives that no division of the target into quads explains",
+                              {d.Of(f.index, k, axis)}, {"one for all pixels of a quad"});
+      }
+    }
+  }
+  return Verdict::Held(0);
+}
+
 Checks Ask(const PlacedCase& c, const Description& subject) {
-  return AskValues(c, subject, kValuesAndDerivatives, Judge);
+  if (c.before) return NotExercised("the subject takes the scene to the window itself");
+  std::shared_ptr<const Scene> scene = SceneWithChannels(c);
+  Questions questions;
+  questions.draws.push_back(WholeCallOf(*scene, c.profile, c.options));
+  questions.draws.back().job.wants = kValuesAndDerivatives;
+  return OneCheck(std::move(questions), [&c, &subject,
+                                         scene = std::move(scene)](const Answers& answers) {
+    const ShownValues shown{*answers.draws[0], scene->channels, c.profile.values,
+                            subject.info.input, c.profile.y_axis == YAxis::kUp};
+    const Derivatives d{shown, c};
+    const std::vector<ValueFragment> fragments =
+        FragmentsOf(c, subject.info, *answers.draws[0], FragmentChoice::kSome);
+    Verdict alignment = JudgeAlignment(d, fragments);
+    if (alignment.outcome == Outcome::kViolated) return alignment;
+    if (shown.rule.derivatives != DerivativesBy::kFine)
+      return Verdict::Held(fragments.empty() ? 0 : 1);
+    return OneByOne(fragments.size(), [&](std::size_t k) { return JudgeFine(d, fragments[k]); });
+  });
 }
 
 constexpr std::array kRules{
-    ProfileRule{[](const Profile& p) { return p.values.derivatives == DerivativesBy::kFine; },
-                "derivatives that are fine differences",
-                "the profile does not state that derivatives are fine differences over a quad"}};
+    ProfileRule{[](const Profile& p) {
+                  return p.values.derivatives == DerivativesBy::kFine ||
+                         p.values.derivatives == DerivativesBy::kCoarse;
+                },
+                "derivatives that are differences over quads",
+                "the profile does not state that derivatives are differences over quads"}};
 
 }  // namespace quad_differences_equal_differences_of_values
 
@@ -81,8 +157,9 @@ extern constinit const Property kQuadDifferencesEqualDifferencesOfValues{
     .name = "QuadDifferencesEqualDifferencesOfValues",
     .group = "values",
     .clause =
-        "dFdxFine is a difference of the value in the own row of the quad (OpenGL Shading Language "
-        "4.60 section 8.14.1; Vulkan 1.3, Derivative Operations).",
+        "dFdxFine is a difference of the value in the own row of the quad, dFdxCoarse one for all "
+        "four pixels (OpenGL Shading Language 4.60 section 8.14.1; Vulkan 1.3, Derivative "
+        "Operations).",
     .tolerance = "two roundings of the difference",
     .domains = kValueDomains,
     .gate = {.space = Space::kEither,
@@ -91,7 +168,7 @@ extern constinit const Property kQuadDifferencesEqualDifferencesOfValues{
              .any_owners = true,
              .unwrapped = true,
              .rules = quad_differences_equal_differences_of_values::kRules,
-             .where = "the pixels on both sides show the same triangle"},
+             .where = "fine ones: the pixels on both sides show the same triangle"},
     .ask = quad_differences_equal_differences_of_values::Ask,
 };
 

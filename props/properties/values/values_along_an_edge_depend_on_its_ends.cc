@@ -1,5 +1,6 @@
 // The values of two triangles with a common edge are equal, to the bit, at a sample on it: the third
 // vertex has no part in them.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -59,23 +60,40 @@ std::optional<Pair> PairOf(const PlacedCase& c, std::size_t t) {
   return pair;
 }
 
+// Whether the value is judged at all by the owners of one of the two.
+bool IsJudged(const PlacedCase& c, const std::shared_ptr<const Scene>& scene,
+              const Drawing& drawing, const SubjectInfo& info, const ValueFragment& f,
+              const Channel& channel) {
+  const ShownValues shown{drawing, scene->channels, c.profile.values, info.input};
+  return std::ranges::all_of(f.readings, [&](const ValueOwners& owners) {
+    return RangeOf(shown, f, owners, channel, NumbersAt(f, channel)).has_value();
+  });
+}
+
 Verdict JudgePair(const Pair& pair, const Drawing& one, const Drawing& other,
                   const SubjectInfo& info) {
   std::uint64_t exercised = 0;
   const std::vector<Channel>& channels = pair.scenes[0]->channels;
+  const auto others = FragmentsOf(pair.other, info, other, FragmentChoice::kOnTheFirstEdge);
   for (const ValueFragment& f : FragmentsOf(pair.one, info, one, FragmentChoice::kOnTheFirstEdge)) {
-    if (other.primitive_ids[f.index] == kNoPrimitive) continue;
+    const auto same = std::ranges::find(others, f.index, &ValueFragment::index);
+    if (same == others.end()) continue;
     for (std::size_t k = 0; k < channels.size(); ++k) {
       const Interpolation by = channels[k].interpolation;
       const bool is_interpolated =
           by == Interpolation::kLinear || by == Interpolation::kPerspective;
       if (!is_interpolated || channels[k].at != EvaluatedAt::kSample) continue;
+      if (!IsJudged(pair.one, pair.scenes[0], one, info, f, channels[k]) ||
+          !IsJudged(pair.other, pair.scenes[1], other, info, *same, channels[k])) {
+        continue;
+      }
       ++exercised;
       const double x = one.values[f.index * channels.size() + k];
       const double y = other.values[f.index * channels.size() + k];
-      if (x == y || (x != x && y != y)) continue;
-      return ValueViolation(f, channels[k],
-                            "depends on the third vertex at a sample of the first edge", {x}, {y});
+      if (x == y) continue;
+      return OfDraw(
+          0, ValueViolation(f, channels[k],
+                            "depends on the third vertex at a sample of the first edge", {x}, {y}));
     }
   }
   return Verdict::Held(exercised);

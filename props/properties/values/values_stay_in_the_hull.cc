@@ -28,6 +28,7 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     // What reaches behind the eye is unbounded on the screen.
     if (is_linear && !IsBeforeTheEye(owners)) continue;
     if (!IsInside(f, owners, channel)) continue;
+    if (!RangeOf(shown, f, owners, channel, NumbersAt(f, channel))) continue;
     ++exercised;
     const std::array<double, 3> a = NumbersAt(f, channel);
     const auto [low, high] = std::minmax({a[0], a[1], a[2]});

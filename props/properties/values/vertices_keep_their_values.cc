@@ -34,6 +34,7 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     const std::size_t i = VertexAt(owners, p);
     if (i == 3) continue;
     if (!exact::Interpolant(*owners.known, p).Weights(channel.interpolation)) continue;
+    if (!RangeOf(shown, f, owners, channel, NumbersAt(f, channel))) continue;
     ++exercised;
     const double expected = NumbersAt(f, channel)[i];
     const double x = shown.Of(f, k);

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/value_rule.h"
+
 namespace rasterproof::props {
 namespace {
 
@@ -50,6 +52,39 @@ bool IsOfOtherSquares(const Clause& clause, const Profile& profile) {
   });
 }
 
+// The profile's word for a key of its values; empty if it states none.
+std::string_view WordOf(std::string_view key, const Profile& profile) {
+  const ValueRule& values = profile.values;
+  if (key == "values.provoking" && values.provoking != ProvokingVertex::kUnstated)
+    return values.provoking == ProvokingVertex::kFirst ? "first" : "last";
+  if (key == "values.derivatives" && values.derivatives == DerivativesBy::kFine) return "fine";
+  if (key == "values.depth" &&
+      (values.depth == DepthFormat::kUnorm16 || values.depth == DepthFormat::kUnorm24 ||
+       values.depth == DepthFormat::kUnorm32))
+    return "unorm";
+  if (key == "values.depth_rounding")
+    return values.depth_rounding == DepthRounding::kEither ? "either" : "nearest";
+  // One sample is at the centre.
+  if (key == "values.centres")
+    return values.centres && profile.pattern.locations.size() > 1 ? "true" : "false";
+  return "";
+}
+
+// Whether the clause is about other values than the profile's: another provoking vertex's, say.
+bool IsOfOtherValues(const Clause& clause, const Profile& profile) {
+  return std::ranges::any_of(KeysOf(clause), [&](const ClauseKey& key) {
+    return key.key.starts_with("values.") && !key.value.empty() &&
+           WordOf(key.key, profile) != key.value;
+  });
+}
+
+// Whether the subject states how far off the numbers may be that the property looks at.
+bool StatesItsError(const Gate& gate, const SubjectInfo& info) {
+  if (gate.shows == Shows::kValues) return info.profile.values.error.IsStated();
+  if (gate.shows == Shows::kDepths) return info.fragments.depth_error > 0;
+  return info.fragments.barycentric_error > 0;
+}
+
 // Whether it follows from the profile, or from what the subject states beside it.
 bool FollowsFromTheProfile(const Property& property, const Profile& profile,
                            bool is_of_a_specification) {
@@ -69,15 +104,14 @@ std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
     if (clause == nullptr) continue;  // a test sees to it that there is none
     const std::string_view api = ApiOf(*clause);
     if (api != specification->api && api != specification->base) continue;
-    if (IsOfOtherSquares(*clause, profile)) continue;
+    if (IsOfOtherSquares(*clause, profile) || IsOfOtherValues(*clause, profile)) continue;
     clauses.push_back(clause);
   }
   return clauses;
 }
 
 Grounds AuthorityOf(const Property& property, const SubjectInfo& info) {
-  const bool states_error = info.fragments.barycentric_error > 0;
-  if (states_error) {
+  if (StatesItsError(property.gate, info)) {
     std::vector<const Clause*> clauses = ClausesFor(property.required_with_error, info.profile);
     if (!clauses.empty()) return {Authority::kClause, std::move(clauses)};
   }

@@ -21,7 +21,8 @@ struct Grounds {
 };
 
 /// Returns those of the clauses that bind a subject that states the profile: of its specification,
-/// or of its base, and about its squares, if it has any. Empty if it is no specification's.
+/// or of its base, and about its squares, if it has any, and its values: a key "values.provoking"
+/// with a value has the profile's. Empty if it is no specification's.
 std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
                                       const Profile& profile);
 
@@ -34,7 +35,8 @@ std::vector<const Clause*> ClausesFor(std::span<const std::string_view> ids,
 Grounds AuthorityOf(const Property& property, const Profile& profile);
 
 /// Returns who asks for the property of the subject: as of its profile, with the clauses that
-/// require it once the subject states how far off its barycentrics may be.
+/// require it once the subject states how far off its barycentrics, depths or values may be,
+/// whichever of them the property looks at.
 Grounds AuthorityOf(const Property& property, const SubjectInfo& info);
 
 }  // namespace rasterproof::props

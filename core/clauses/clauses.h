@@ -1,4 +1,4 @@
-// The clause table: sentences of specifications about coverage, and how they were read.
+// The clause table: sentences of specifications about coverage and values, and how they were read.
 #ifndef RASTERPROOF_CORE_CLAUSES_CLAUSES_H_
 #define RASTERPROOF_CORE_CLAUSES_CLAUSES_H_
 

@@ -56,6 +56,23 @@ inline constexpr auto kBarycentricClauses =
 // Where the subject states its error: of exact barycentrics all four speak.
 inline constexpr auto kBarycentricErrorClauses = std::to_array<std::string_view>(
     {"gl.barycentric", "vulkan.barycentric", "d3d11.interpolator", "webgpu.barycentric"});
+// Where the subject states its error: formulas of exact numbers.
+inline constexpr auto kClipBarycentricErrorClauses = std::to_array<std::string_view>(
+    {"gl.barycentric", "gl.perspective", "vulkan.barycentric-inputs", "d3d11.perspective",
+     "d3d11.interpolator", "webgpu.barycentric", "webgpu.interpolation"});
+inline constexpr auto kValueErrorClauses = std::to_array<std::string_view>(
+    {"gl.perspective", "gl.linear", "vulkan.perspective", "vulkan.linear", "d3d11.perspective",
+     "d3d11.no-perspective", "d3d11.interpolator", "webgpu.barycentric", "webgpu.interpolation"});
+inline constexpr auto kDepthErrorClauses =
+    std::to_array<std::string_view>({"gl.depth", "vulkan.depth", "d3d11.depth", "webgpu.depth"});
+inline constexpr auto kDepthFormatErrorClauses = std::to_array<std::string_view>(
+    {"gl.depth-conversion", "vulkan.depth-conversion", "d3d11.depth-conversion"});
+// Whatever the error of values: copied numbers, and differences of the subject's own.
+inline constexpr auto kFlatClauses =
+    std::to_array<std::string_view>({"gl.flat", "gl.provoking", "vulkan.flat", "vulkan.provoking",
+                                     "d3d11.flat", "d3d11.leading-vertex", "webgpu.flat"});
+inline constexpr auto kFineDifferenceClauses =
+    std::to_array<std::string_view>({"vulkan.derivative-fine", "d3d11.derivative-fine"});
 // Pixels as squares: what is met must be covered, what is held may be.
 inline constexpr auto kSquaresMetClauses =
     std::to_array<std::string_view>({"gl.nv-conservative", "vulkan.overestimate",

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/profile.h"
 #include "core/result.h"
 #include "core/subject_info.h"
+#include "core/value_rule.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -123,7 +125,78 @@ TEST(Authority, AClauseAndAStatedErrorRequireTogether) {
     }
     EXPECT_EQ(AuthorityOf(*FindProperty("FragmentDepthFollowsItsBarycentrics"), info).authority,
               Authority::kQuality)
-        << set << ": no clause speaks of depth";
+        << set << ": no error of depth is stated";
+  }
+}
+
+// Clauses about depths and values bind who states the error of those, and no other.
+TEST(Authority, EachErrorCallsTheClausesOfItsOwn) {
+  SubjectInfo info;
+  info.profile = *PresetProfile("vulkan");
+  info.fragments.barycentric_error = 1e-5;
+  const auto of = [&](std::string_view property) {
+    return IdsOf(AuthorityOf(*FindProperty(property), info));
+  };
+  using Ids = std::vector<std::string>;
+  EXPECT_EQ(of("ClipBarycentricsStayWithinTheirError"), Ids{"vulkan.barycentric-inputs"});
+  EXPECT_EQ(of("ClipDepthsStayWithinTheirError"), Ids{});
+  EXPECT_EQ(of("ValuesStayWithinTheirError"), Ids{});
+  info.fragments.depth_error = 1e-6;
+  EXPECT_EQ(of("ClipDepthsStayWithinTheirError"), Ids{"vulkan.depth"});
+  info.profile.values.error.ulps = 2;
+  EXPECT_EQ(of("ValuesStayWithinTheirError"), (Ids{"vulkan.perspective", "vulkan.linear"}));
+  for (const std::string_view exact :
+       {"EqualValuesStayEqual", "ValuesStayInTheHull", "VerticesKeepTheirValues",
+        "DerivativesStayWithinTheirError"})
+    EXPECT_EQ(of(exact), Ids{}) << exact << ": no text speaks of a last bit";
+}
+
+TEST(Authority, ClausesOfOtherValuesRequireNothing) {
+  SubjectInfo info;
+  const auto of = [&](std::string_view property) {
+    return IdsOf(AuthorityOf(*FindProperty(property), info));
+  };
+  using Ids = std::vector<std::string>;
+  constexpr std::string_view kFlat = "FlatValuesComeFromTheProvokingVertex";
+  for (const auto& [set, first, last] :
+       {std::tuple{"gl", Ids{"gl.flat", "gl.provoking"}, Ids{"gl.flat", "gl.provoking"}},
+        {"d3d11", Ids{"d3d11.flat", "d3d11.leading-vertex"}, Ids{}},
+        {"webgpu", Ids{"webgpu.flat"}, Ids{}}}) {
+    info.profile = *PresetProfile(set);
+    info.profile.values.provoking = ProvokingVertex::kFirst;
+    EXPECT_EQ(of(kFlat), first) << set;
+    info.profile.values.provoking = ProvokingVertex::kLast;
+    EXPECT_EQ(of(kFlat), last) << set;
+  }
+  info.profile = *PresetProfile("d3d11");
+  info.profile.values.derivatives = DerivativesBy::kFine;
+  EXPECT_EQ(of("QuadDifferencesEqualDifferencesOfValues"), Ids{"d3d11.derivative-fine"});
+  info.profile = *PresetProfile("gl");
+  info.profile.values.derivatives = DerivativesBy::kFine;
+  EXPECT_EQ(of("QuadDifferencesEqualDifferencesOfValues"), Ids{}) << "they may be approximate";
+  info.fragments.depth_error = 1e-6;
+  info.profile.values.depth = DepthFormat::kUnorm24;
+  EXPECT_EQ(of("DepthsAreOfTheirFormat"), Ids{"gl.depth-conversion"});
+  info.profile.values.depth_rounding = DepthRounding::kNearest;
+  EXPECT_EQ(of("DepthsAreOfTheirFormat"), Ids{}) << "either neighbour is legal";
+  info.profile.values.depth_rounding = DepthRounding::kEither;
+  info.profile.values.depth = DepthFormat::kFloat32;
+  EXPECT_EQ(of("DepthsAreOfTheirFormat"), Ids{}) << "nothing is converted";
+}
+
+// With several samples OpenGL and Vulkan let a value at the centre be of elsewhere in the pixel.
+TEST(Authority, ACentreOfSeveralSamplesIsNobodysInOpenGlAndVulkan) {
+  for (const auto& [set, is_required] : {std::pair{"gl", true},
+                                         {"gl-4x", false},
+                                         {"vulkan-4x", false},
+                                         {"d3d11-4x", true},
+                                         {"webgpu-4x", true}}) {
+    SubjectInfo info;
+    info.profile = *PresetProfile(set);
+    info.profile.values.error.ulps = 2;
+    info.profile.values.centres = true;
+    const Grounds grounds = AuthorityOf(*FindProperty("ValuesStayWithinTheirError"), info);
+    EXPECT_EQ(grounds.authority == Authority::kClause, is_required) << set;
   }
 }
 

@@ -104,6 +104,16 @@ std::optional<ValueOwners> Free(const PlacedCase& c, const Triangle& t) {
   return owners;
 }
 
+// Whether clipping leaves the triangle as it is: of a polygon of more edges, whose new vertices are
+// placed anew, specifications ask for no more than a value in the hull.
+bool IsLeftWhole(const PlacedCase& c, const Triangle& t) {
+  const auto box = UnclippedBox(c.profile, c.scene.width, c.scene.height);
+  return !box || std::ranges::all_of(Corners(c.scene, t), [&](const Vertex& v) {
+    const double w = c.scene.clip_space ? v.w : 1;
+    return w > 0 && box->Contains(v.x / w, v.y / w);
+  });
+}
+
 std::vector<ValueOwners> ReadingsOf(const PlacedCase& c, const SubjectInfo& info,
                                     const Triangle& t) {
   const BarycentricsOf of = info.fragments.barycentrics_of;
@@ -112,6 +122,7 @@ std::vector<ValueOwners> ReadingsOf(const PlacedCase& c, const SubjectInfo& info
     if (owners) readings.push_back(*std::move(owners));
     return owners.has_value();
   };
+  if (LeavesGridPointsOpen(c.profile) && !IsLeftWhole(c, t)) return {};
   if (of != BarycentricsOf::kGiven && LeavesGridPointsOpen(c.profile)) {
     return add(Free(c, t)) ? std::move(readings) : std::vector<ValueOwners>();
   }

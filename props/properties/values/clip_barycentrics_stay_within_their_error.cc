@@ -67,8 +67,8 @@ extern constinit const Property kClipBarycentricsStayWithinTheirError{
     .clause =
         "A barycentric is the signed area of the part opposite vertex i over that of the whole, on "
         "the screen or, divided by the vertices' w, in perspective (OpenGL 4.6 section 14.6.1; "
-        "Vulkan 1.3, Barycentric Interpolation).",
-    .required_with_error = kBarycentricErrorClauses,
+        "Vulkan 1.4, Basic Polygon Rasterization and Barycentric Interpolation).",
+    .required_with_error = kClipBarycentricErrorClauses,
     .tolerance =
         "the stated barycentric error; none stated: 16 u times the condition, where every w is "
         "2^-30 to 2^30",

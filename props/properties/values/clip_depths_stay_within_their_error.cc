@@ -7,6 +7,7 @@
 #include "props/judging/values/value_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 #include "props/property.h"
@@ -35,7 +36,9 @@ extern constinit const Property kClipDepthsStayWithinTheirError{
     .group = "values",
     .clause =
         "Depth is interpolated linearly on the screen, of z divided by w (OpenGL 4.6 section "
-        "14.6.1, equation 14.10; Vulkan 1.3, Basic Polygon Rasterization).",
+        "14.6.1, equation 14.10; Vulkan 1.4, Basic Polygon Rasterization; Direct3D 11.3 section "
+        "16.3; WebGPU section 23.2.5.4).",
+    .required_with_error = kDepthErrorClauses,
     .tolerance =
         "the stated depth error; none stated: 16 u times the condition, where every w is 2^-30 to "
         "2^30",

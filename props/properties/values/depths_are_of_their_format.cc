@@ -9,6 +9,7 @@
 #include "props/judging/values/value_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 #include "props/property.h"
@@ -71,9 +72,10 @@ extern constinit const Property kDepthsAreOfTheirFormat{
     .group = "values",
     .clause =
         "A depth is converted to the format of the depth buffer, to one of its two neighbours "
-        "there "
-        "(OpenGL 4.6 section 2.3.5.1; Vulkan 1.3, Conversion From Floating-Point to Normalized "
-        "Fixed-Point), or to the nearest, as the subject states.",
+        "there (OpenGL 4.6 section 2.3.5.2; Vulkan 1.4, Conversion From Floating-Point to "
+        "Normalized Fixed-Point), or to the nearest (Direct3D 11.3 section 17.11, within 0.6 of a "
+        "step by 3.2.3.6), as the subject states.",
+    .required_with_error = kDepthFormatErrorClauses,
     .tolerance = "a step of the format, or half of it, and the depth's own error",
     .domains = kValueDomains,
     .gate = {.space = Space::kEither,

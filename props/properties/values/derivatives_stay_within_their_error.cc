@@ -49,8 +49,8 @@ extern constinit const Property kDerivativesStayWithinTheirError{
     .group = "values",
     .clause =
         "A derivative is the partial derivative of the value's plane, or a difference of values in "
-        "a quad of 2 x 2 pixels (OpenGL Shading Language 4.60 section 8.14.1; Vulkan 1.3, "
-        "Derivative Operations), as the subject states.",
+        "a quad of 2 x 2 pixels (OpenGL Shading Language 4.60 section 8.14.1; Vulkan 1.4, "
+        "Derivative Operations; Direct3D 11.3 sections 22.5.2 and 22.5.4), as the subject states.",
     .tolerance =
         "the stated derivative_error; none stated: twice 16 u times the condition of the "
         "derivative "

@@ -1,10 +1,12 @@
 // A flat value is the provoking vertex's number, to the bit.
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
 #include "props/judging/values/value_queries.h"
 #include "props/placed_case.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 #include "props/property.h"
@@ -21,7 +23,7 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     const std::array<double, 3> a = NumbersAt(f, channel);
     exercised += a[0] != a[1] && a[1] != a[2] && a[2] != a[0] ? 1 : 0;
     const double x = shown.Of(f, k);
-    if (x == a[provoking]) continue;
+    if (x == a[provoking] || (std::isnan(x) && std::isnan(a[provoking]))) continue;
     return ValueViolation(f, channel, "is not the provoking vertex's", {x}, {a[provoking]});
   }
   return Verdict::Held(exercised);
@@ -45,7 +47,9 @@ extern constinit const Property kFlatValuesComeFromTheProvokingVertex{
     .group = "values",
     .clause =
         "A flat value is that of one vertex of the triangle: which one, the API or the pipeline's "
-        "state says (OpenGL 4.6 section 13.4; Vulkan 1.3, Flat Shading).",
+        "state says (OpenGL 4.6 section 13.6; Vulkan 1.4, Flat Shading; Direct3D 11.3 sections "
+        "8.14 and 16.4; WGSL, Interpolation).",
+    .required_by = kFlatClauses,
     .tolerance = kExact,
     .domains = kValueDomains,
     .gate = {.space = Space::kEither,

@@ -10,12 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "core/scene.h"
 #include "core/value_rule.h"
 #include "props/judging/redraw.h"
 #include "props/judging/values/derivative_queries.h"
 #include "props/judging/values/one_by_one.h"
+#include "props/judging/values/precision_units.h"
 #include "props/judging/values/value_queries.h"
 #include "props/placed_case.h"
+#include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
 #include "props/properties/row_words.h"
 #include "props/property.h"
@@ -47,17 +50,23 @@ struct Derivatives {
   }
 };
 
-// One rounding of the difference, in the format of the values.
-bool IsTheDifference(double shown, double to, double from, double u) {
+// One rounding of the difference in the format of the values. What overflows there is not judged;
+// subnormal numbers may be flushed to zero, before and after.
+bool IsTheDifference(double shown, double to, double from, Precision precision) {
+  const bool is_float = precision == Precision::kFloat32;
+  const double most = is_float ? 0x1p127 : 0x1p1022;
+  const double least_normal = is_float ? 0x1p-126 : 0x1p-1022;
   const double difference = to - from;
-  return std::fabs(shown - difference) <=
-         2 * u * std::fabs(difference) + 0x1p-52 * (std::fabs(to) + std::fabs(from));
+  if (!(std::fabs(difference) <= most)) return true;
+  return std::fabs(shown - difference) <= 2 * UnitRoundoff(precision) * std::fabs(difference) +
+                                              0x1p-52 * (std::fabs(to) + std::fabs(from)) +
+                                              3 * least_normal;
 }
 
 // A fine difference is that to the next pixel of the row (column), or from the one before.
 Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
   std::uint64_t exercised = 0;
-  const double u = d.shown.precision == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
+  const Precision precision = d.shown.precision;
   for (std::size_t k = 0; k < d.shown.channels.size(); ++k) {
     const Channel& channel = d.shown.channels[k];
     if (channel.at != EvaluatedAt::kSample) continue;
@@ -73,7 +82,9 @@ Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
       const double sign = axis == 1 && d.shown.is_y_up ? -1 : 1;
       const double x = sign * d.Of(f.index, k, axis);
       exercised += next != previous ? 1 : 0;
-      if (IsTheDifference(x, next, here, u) || IsTheDifference(x, here, previous, u)) continue;
+      if (IsTheDifference(x, next, here, precision) ||
+          IsTheDifference(x, here, previous, precision))
+        continue;
       return ValueViolation(f, channel,
                             axis == 0 ? "changes otherwise along x than its neighbours say"
                                       : "changes otherwise along y than its neighbours say",
@@ -157,10 +168,11 @@ extern constinit const Property kQuadDifferencesEqualDifferencesOfValues{
     .name = "QuadDifferencesEqualDifferencesOfValues",
     .group = "values",
     .clause =
-        "dFdxFine is a difference of the value in the own row of the quad, dFdxCoarse one for all "
-        "four pixels (OpenGL Shading Language 4.60 section 8.14.1; Vulkan 1.3, Derivative "
-        "Operations).",
-    .tolerance = "two roundings of the difference",
+        "A fine derivative is the difference of the values in the own row, or column, of the quad; "
+        "a coarse one may be one of another row for all four pixels (Vulkan 1.4, Derivative "
+        "Operations; Direct3D 11.3 section 22.5.4).",
+    .required_by = kFineDifferenceClauses,
+    .tolerance = "two roundings of the difference, and subnormal numbers that are flushed",
     .domains = kValueDomains,
     .gate = {.space = Space::kEither,
              .shows = Shows::kDerivatives,

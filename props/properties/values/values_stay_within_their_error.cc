@@ -43,9 +43,9 @@ extern constinit const Property kValuesStayWithinTheirError{
     .group = "values",
     .clause =
         "A value is sum b_i a_i / sum b_i with b_i the signed area of the part opposite vertex i, "
-        "in perspective divided by w_i (OpenGL 4.6 sections 14.6.1 and 14.5.1, equations 14.9 and "
-        "14.10), of the vertices that the subject names.",
-    .required_with_error = kBarycentricErrorClauses,
+        "in perspective divided by w_i (OpenGL 4.6 section 14.6.1, equations 14.9 and 14.10; "
+        "Vulkan 1.4, Basic Polygon Rasterization), of the vertices that the subject names.",
+    .required_with_error = kValueErrorClauses,
     .tolerance = kValueTolerance,
     .domains = kValueDomains,
     .gate = Where(kAsksValues, kTellsMistakes),

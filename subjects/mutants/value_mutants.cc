@@ -99,11 +99,13 @@ Weights RoundedTo(const Question& q, double unit) {
 
 float Float(double x) { return static_cast<float>(x); }
 
-// In float32, of weights that are rounded.
+// In float32, of weights that are multiplied by the reciprocal of their sum.
 double SumInFloat32(const Question& q) {
-  const Weights weights = WeightsOf(q);
-  return Float(weights[0]) * Float(q.a[0]) + Float(weights[1]) * Float(q.a[1]) +
-         Float(weights[2]) * Float(q.a[2]);
+  const Weights beta = BetasAt(q.v, q.at);
+  if (!q.IsPerspective()) return Float(WeightedSum(WeightsOf(q), q.a));
+  const float reciprocal = 1 / Float(beta[0] + beta[1] + beta[2]);
+  return Float(beta[0]) * reciprocal * Float(q.a[0]) + Float(beta[1]) * reciprocal * Float(q.a[1]) +
+         Float(beta[2]) * reciprocal * Float(q.a[2]);
 }
 
 ChannelStages SummingInFloat32(bool ValueRule::* stated) {

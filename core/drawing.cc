@@ -14,6 +14,7 @@ Scene SceneOf(const DrawJob& job) {
   scene.clip_space = job.scene->clip_space;
   scene.vertices = job.scene->vertices;
   scene.triangles = *job.triangles;
+  scene.channels = job.scene->channels;
   return scene;
 }
 

@@ -7,7 +7,7 @@
 //     RASTERPROOF_MAIN(Mine)
 //
 // Instead of Draw, a type may have `Drawing Show(const DrawJob& job)`, which gives primitive ids,
-// barycentrics and depths too, and centroids where the job wants them; and
+// barycentrics and depths too, and centroids, values and derivatives where the job wants them; and
 // `std::vector<Drawing> ShowMany(std::span<const DrawJob> jobs)` if it draws several scenes in one
 // call. A `static SubjectInfo Info()` says which.
 //

@@ -286,6 +286,8 @@ report::Explanation Explain(const SubjectInfo& subject, const Case& given, const
   } else {
     explanation.expected = ShownBy(subject, c.scene, exact::Coverage(c, c.options));
     explanation.observed = HoldsDrawing(verdict, none) ? verdict.seen->counts : none;
+    // Where nothing is stated of coverage, what was drawn is as good as anything.
+    if (c.profile.contract == Contract::kNone) explanation.expected = explanation.observed;
   }
   const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);
   const bool witness = verdict.witness && verdict.witness->x >= 0 && verdict.witness->y >= 0;

@@ -181,8 +181,9 @@ int HostSubject(const HostOptions& options) {
   }();
   if (options.describe) {
     SubjectInfo info = here.subject->Info();
-    info.takes_repeats = true;                          // whatever it draws: Serve does it
-    info.takes_wants = info.fragments.shows_centroids;  // no other request asks for them
+    info.takes_repeats = true;  // whatever it draws: Serve does it
+    // No other request asks for them.
+    info.takes_wants = info.fragments.shows_centroids || info.fragments.shows_values;
     SayAll(answers, DescriptionText(info, here.profile));
     return kExitHolds;
   }

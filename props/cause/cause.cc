@@ -249,6 +249,32 @@ bool Investigation::FindParts() {
   return are_sure && !causes.empty();
 }
 
+// Of properties about numbers that draws show. What a subject covers may be no part of it, so that
+// these are looked at first.
+void Investigation::FindMistakes() {
+  for (std::size_t k = 0; k < failures_.size(); ++k) {
+    if (!IsAboutShownNumbers(failures_[k].property->gate.shows)) continue;
+    ValueMistake mistake = FindValueMistake(*subject_, failures_[k], kGatheringShare * seconds_);
+    if (mistake.name.empty()) continue;
+    open_.erase(k);
+    const auto same = std::ranges::find_if(found_.all, [&](const Cause& other) {
+      return other.name == mistake.name && other.what == mistake.what;
+    });
+    if (same != found_.all.end()) {
+      same->properties.push_back(k);
+      same->draws += mistake.numbers;
+      same->reproduced = same->draws;
+      continue;
+    }
+    Cause& cause = found_.all.emplace_back();
+    cause.kind = CauseKind::kMistake;
+    cause.name = std::move(mistake.name);
+    cause.what = std::move(mistake.what);
+    cause.reproduced = cause.draws = mistake.numbers;
+    cause.properties = {k};
+  }
+}
+
 void Investigation::FindRest() {
   while (!open_.empty()) {
     const std::size_t k = *open_.begin();
@@ -260,7 +286,10 @@ void Investigation::FindRest() {
     Cause cause;
     cause.draws = modelled_;
     cause.properties = {k};
-    if (!wrong.empty()) {
+    // Who states nothing of coverage is not at fault in it.
+    const bool states_coverage = subject_->Info().profile.contract != Contract::kNone;
+    const bool is_of_numbers = IsAboutShownNumbers(failures_[k].property->gate.shows);
+    if (!wrong.empty() && (states_coverage || !is_of_numbers)) {
       Circumstance circumstance = FindCircumstance(make_, wrong, observations_);
       cause.kind = circumstance.name.empty() ? CauseKind::kUnexplained : CauseKind::kCircumstance;
       cause.name = circumstance.name;
@@ -278,14 +307,7 @@ void Investigation::FindRest() {
       cause.kind = CauseKind::kCircumstance;
       cause.name = "float-mode";
       cause.what = {"in the usual floating-point mode"};
-    } else if (ValueMistake mistake =
-                   FindValueMistake(*subject_, failures_[k], kGatheringShare * seconds_);
-               !mistake.name.empty()) {
-      cause.kind = CauseKind::kMistake;
-      cause.name = std::move(mistake.name);
-      cause.what = std::move(mistake.what);
-      cause.reproduced = cause.draws = mistake.numbers;
-    } else if (AsksForValues(*subject_, failures_[k])) {
+    } else if (is_of_numbers || AsksForValues(*subject_, failures_[k])) {
       cause.kind = CauseKind::kShownValues;
       cause.name = "shown-values";
       cause.what = {std::string(failures_[k].property->group)};
@@ -311,8 +333,9 @@ Causes Investigation::Run() {
   stated_ = MakeSuspect(subject_->Info(), {});
   Sort();
   for (std::size_t k = 0; k < failures_.size(); ++k) open_.insert(k);
+  FindMistakes();
   const bool are_points = subject_->Info().profile.contract != Contract::kSquares;
-  if (wrong_ != 0 && are_points) {
+  if (wrong_ != 0 && are_points && !open_.empty()) {
     if (!FindNothingDrawn() && !FindWholeByRaces() && !FindCombination()) FindParts();
   }
   found_.draws = DrawsOf(observations_);

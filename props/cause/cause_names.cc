@@ -46,6 +46,7 @@ std::vector<std::string_view> CauseNames() {
           "exchanged-weights",
           "weights-by-w",
           "missing-division",
+          "few-bits",
           "wrong-provoking-vertex",
           "wrong-place",
           "other-corners",

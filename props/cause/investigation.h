@@ -59,6 +59,7 @@ class Investigation {
   bool FindCombination();
   std::vector<std::vector<Fitting>> PartsOfAll();
   bool FindParts();
+  void FindMistakes();
   void FindRest();
   std::vector<bool> ReproducedBy(const SuspectStages& stages) const;
   std::vector<const Observation*> AllWrong() const;

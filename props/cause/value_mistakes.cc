@@ -29,6 +29,8 @@ constexpr std::uint64_t kFirstTried = std::uint64_t{1} << 21;
 // What a mistake computes is rounded as often as what is right, or a few times more.
 constexpr double kMistakeConditions = 2 * kUsualConditions;
 
+constexpr int kMostFewBits = 18;  // of float32's 24
+
 using Numbers = std::array<double, 3>;
 
 // One number that is shown, and what it is of.
@@ -82,6 +84,10 @@ void AddPlanes(std::vector<Mistake>& list) {
                   plane(Interpolation::kPerspective, Interpolation::kLinear)});
   list.push_back({"affine-weights", "interpolates in perspective what is affine on the screen",
                   plane(Interpolation::kLinear, Interpolation::kPerspective)});
+  list.push_back({"affine-weights", "interpolates depth in perspective",
+                  plane(Interpolation::kInverseW, Interpolation::kPerspective)});
+  list.push_back({"missing-division", "does not divide depth by w",
+                  plane(Interpolation::kInverseW, Interpolation::kLinear)});
   list.push_back({"missing-division", "does not divide by the interpolated 1/w",
                   plane(Interpolation::kPerspective, Interpolation::kInverseW)});
   const auto power = [](int of) {
@@ -206,27 +212,27 @@ Fit ShownBy(const Mistake& mistake, const Shown& s, Fit stated) {
   const std::optional<ValueEstimate> e = mistake.shows(s);
   if (!e) return stated;  // there it does as is stated
   if (!std::isfinite(e->value) || !std::isfinite(e->condition)) return Fit::kUnknown;
-  double tolerance = kMistakeConditions * UnitRoundoff(s.values.precision) * e->condition;
+  double tolerance =
+      kMistakeConditions * UnitRoundoff(s.values.precision) * (e->condition + std::fabs(e->value));
   if (const auto range = RangeOf(s.values, s.f, s.owners, s.channel, s.numbers))
     tolerance = std::max(tolerance, range->tolerance);
   return std::fabs(s.x - e->value) <= tolerance ? Fit::kRight : Fit::kWrong;
 }
 
-// All numbers of one fragment that the draw was asked for.
-std::vector<Shown> NumbersOf(const ShownValues& values, const ValueFragment& f,
-                             const Outputs& wants, bool is_clip_space) {
+// What a search looks at.
+enum class NumbersOf : std::uint8_t { kChannels, kBarycentrics, kDepths };
+
+// All numbers of one fragment. 1/w is left out: whether a mistake is in it, too, is another matter.
+std::vector<Shown> NumbersOfFragment(const ShownValues& values, const ValueFragment& f,
+                                     NumbersOf what) {
   std::vector<Shown> list;
   const ValueOwners& owners = f.readings.front();
-  if (wants.values) {
-    for (std::size_t k = 0; k < values.channels.size(); ++k) {
-      const Channel& channel = values.channels[k];
-      if (channel.at == EvaluatedAt::kCentroid) continue;
-      list.push_back({values, f, owners, channel, NumbersAt(f, channel), values.Of(f, k)});
-    }
-    return list;
+  if (what == NumbersOf::kDepths) {
+    const Channel channel{"depth", Interpolation::kInverseW};
+    return {{values, f, owners, channel, values.DepthsOf(f), values.drawing.depths[f.index]}};
   }
-  if (wants.barycentrics && !values.drawing.barycentrics.empty()) {
-    const bool is_linear = !is_clip_space || values.rule.weights == WeightsIn::kScreen;
+  if (what == NumbersOf::kBarycentrics) {
+    const bool is_linear = !values.is_clip_space || values.rule.weights == WeightsIn::kScreen;
     const Channel channel{"barycentric",
                           is_linear ? Interpolation::kLinear : Interpolation::kPerspective};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -234,11 +240,13 @@ std::vector<Shown> NumbersOf(const ShownValues& values, const ValueFragment& f,
       unit[i] = 1;
       list.push_back({values, f, owners, channel, unit, values.drawing.barycentrics[f.index][i]});
     }
+    return list;
   }
-  if (wants.depths && !values.drawing.depths.empty()) {
-    const Channel channel{"depth", Interpolation::kInverseW};
-    list.push_back(
-        {values, f, owners, channel, values.DepthsOf(f), values.drawing.depths[f.index]});
+  for (std::size_t k = 0; k < values.channels.size(); ++k) {
+    const Channel& channel = values.channels[k];
+    if (channel.interpolation == Interpolation::kInverseW || channel.at == EvaluatedAt::kCentroid)
+      continue;
+    list.push_back({values, f, owners, channel, NumbersAt(f, channel), values.Of(f, k)});
   }
   return list;
 }
@@ -246,29 +254,60 @@ std::vector<Shown> NumbersOf(const ShownValues& values, const ValueFragment& f,
 // The search: mistakes that no number has refuted yet.
 class Search {
  public:
-  explicit Search(Subject& subject) : subject_(subject), left_(AllMistakes()) {}
+  Search(Subject& subject, NumbersOf what) : subject_(subject), what_(what), left_(AllMistakes()) {}
 
   void Compare(const Property& property, const Case& c, std::size_t number);
-  bool IsOver() const { return left_.empty() || is_stopped_; }
+  bool IsOver() const { return is_stopped_; }
   ValueMistake Found() const;
 
  private:
   void CompareDrawing(const PlacedCase& placed, const DrawJob& job, const Drawing& drawing,
                       std::size_t number);
   void CompareNumber(const Shown& s, std::size_t number);
+  void LookAtBits(const Shown& s);
+
+  bool HasThem(const Drawing& drawing) const;
 
   Subject& subject_;
+  NumbersOf what_;
   std::vector<Mistake> left_;
   std::size_t numbers_ = 0;
   std::size_t wrong_ = 0;
+  int most_bits_ = 0;    // of all wrong numbers
+  double most_off_ = 0;  // relatively
+  std::set<std::size_t> wrong_cases_;
   bool is_stopped_ = false;
 };
+
+// The bits from the first that is set to the last.
+int SignificantBits(double x) {
+  constexpr int kBitsOfADouble = 53;
+  int exponent = 0;
+  auto mantissa =
+      static_cast<std::uint64_t>(std::ldexp(std::fabs(std::frexp(x, &exponent)), kBitsOfADouble));
+  if (mantissa == 0) return 0;
+  int bits = kBitsOfADouble;
+  for (; (mantissa & 1U) == 0; mantissa >>= 1U) --bits;
+  return bits;
+}
+
+void Search::LookAtBits(const Shown& s) {
+  if (!IsInterpolated(s) || !std::isfinite(s.x) || std::ranges::count(s.numbers, s.x) != 0) return;
+  const double value = Estimated(s, s.channel.interpolation, s.numbers, PlaceOf(s)).value;
+  if (!std::isfinite(value) || value == 0) return;
+  most_bits_ = std::max(most_bits_, SignificantBits(s.x));
+  most_off_ = std::max(most_off_, std::fabs(s.x / value - 1));
+}
 
 void Search::CompareNumber(const Shown& s, std::size_t number) {
   const Fit stated = Stated(s);
   if (stated == Fit::kUnknown) return;
   ++numbers_;
-  wrong_ += stated == Fit::kWrong ? 1 : 0;
+  if (stated == Fit::kWrong) {
+    ++wrong_;
+    wrong_cases_.insert(number);
+    LookAtBits(s);
+  }
   std::erase_if(left_, [&](Mistake& mistake) {
     const Fit fit = ShownBy(mistake, s, stated);
     if (fit == Fit::kWrong) return true;
@@ -289,9 +328,9 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
                             std::size_t number) {
   const SubjectInfo& info = subject_.Info();
   ValueRule rule = placed.profile.values;
-  if (!job.wants.values)
-    rule.error = {.absolute = job.wants.depths ? info.fragments.depth_error
-                                               : info.fragments.barycentric_error};
+  if (what_ != NumbersOf::kChannels)
+    rule.error = {.absolute = what_ == NumbersOf::kDepths ? info.fragments.depth_error
+                                                          : info.fragments.barycentric_error};
   const ShownValues values{drawing,
                            job.scene->channels,
                            rule,
@@ -306,14 +345,19 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
     if (f.readings.size() != 1 || !f.readings.front().known) continue;
     const auto same = std::ranges::find(others, f.index, &ValueFragment::index);
     const int facing = placed.facings[static_cast<std::size_t>(f.triangle)];
-    for (Shown& s : NumbersOf(values, f, job.wants, placed.scene.clip_space)) {
+    for (Shown& s : NumbersOfFragment(values, f, what_)) {
       s.facing = facing;
       if (same != others.end() && same->readings.size() == 1)
         s.other_corners = &same->readings.front().corners.front();
       CompareNumber(s, number);
-      if (left_.empty()) return;
     }
   }
+}
+
+bool Search::HasThem(const Drawing& drawing) const {
+  if (drawing.primitive_ids.empty()) return false;
+  if (what_ == NumbersOf::kChannels) return !drawing.values.empty();
+  return what_ == NumbersOf::kDepths ? !drawing.depths.empty() : !drawing.barycentrics.empty();
 }
 
 void Search::Compare(const Property& property, const Case& c, std::size_t number) {
@@ -333,7 +377,7 @@ void Search::Compare(const Property& property, const Case& c, std::size_t number
       const DrawJob& job = check.questions.draws[k].job;
       // Some properties draw scenes of their own.
       if (!std::ranges::equal(job.Triangles(), judge.Placed().scene.triangles)) continue;
-      if (answers.draws[k]->primitive_ids.empty()) continue;
+      if (!HasThem(*answers.draws[k])) continue;
       CompareDrawing(judge.Placed(), job, *answers.draws[k], number);
     }
   }
@@ -350,13 +394,27 @@ ValueMistake Search::Found() const {
     if (found.name.empty()) found.name = mistake.name;
     found.what.push_back(mistake.what);
   }
+  const bool are_few =
+      most_bits_ > 0 && most_bits_ <= kMostFewBits && most_off_ <= std::ldexp(1.0, 1 - most_bits_);
+  if (found.name.empty() && are_few && wrong_cases_.size() >= kFewestScenes) {
+    found.name = "few-bits";
+    found.what = {"keeps " + std::to_string(most_bits_) + " bits of a value"};
+  }
   return found;
 }
 
 }  // namespace
 
-ValueMistake FindValueMistake(Subject& subject, const FailedProperty& failure, double seconds) {
-  Search search(subject);
+bool IsAboutShownNumbers(Shows shows) {
+  return shows == Shows::kFragments || shows == Shows::kDepths || shows == Shows::kValues ||
+         shows == Shows::kDerivatives;
+}
+
+namespace {
+
+ValueMistake FindIn(NumbersOf what, Subject& subject, const FailedProperty& failure,
+                    double seconds) {
+  Search search(subject, what);
   const double end = SecondsOfDraws(subject) + seconds;
   std::size_t number = 0;
   for (const Case& c : failure.cases) search.Compare(*failure.property, c, number++);
@@ -367,6 +425,23 @@ ValueMistake FindValueMistake(Subject& subject, const FailedProperty& failure, d
                    number++);
   }
   return search.Found();
+}
+
+}  // namespace
+
+// A depth that does not follow from barycentrics may be right, and they wrong.
+ValueMistake FindValueMistake(Subject& subject, const FailedProperty& failure, double seconds) {
+  switch (failure.property->gate.shows) {
+    case Shows::kFragments:
+      return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
+    case Shows::kDepths: {
+      ValueMistake of_depths = FindIn(NumbersOf::kDepths, subject, failure, seconds);
+      if (of_depths.wrong != 0) return of_depths;
+      return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
+    }
+    default:
+      return FindIn(NumbersOf::kChannels, subject, failure, seconds);
+  }
 }
 
 }  // namespace rasterproof::props

@@ -8,6 +8,7 @@
 
 #include "core/subject.h"
 #include "props/cause/evidence.h"
+#include "props/judging/gate.h"
 
 namespace rasterproof::props {
 
@@ -18,6 +19,9 @@ struct ValueMistake {
   std::size_t numbers = 0;        ///< that were compared
   std::size_t wrong = 0;          ///< of these, numbers that are not what is stated
 };
+
+/// Whether a property of this is about numbers that a draw shows beside coverage.
+bool IsAboutShownNumbers(Shows shows);
 
 /// Has the subject show what the failed property asks for, of its cases and of others of the
 /// property's domains, and compares what is shown with what each mistake would give. One number

@@ -70,7 +70,7 @@ std::shared_ptr<const Scene> RequestReader::SceneFor(Scene target, const Lists& 
   }
   if (!lists.channels && (lists.vertices || last_->channels.empty())) {
     Malformed("request " + std::to_string(lists.id),
-              "channels: there is no request of these vertices before it to have the same");
+              "channels=N: no request of these vertices before it had channels");
   }
   if (!lists.vertices && !has_own_channels && target.width == last_->width &&
       target.height == last_->height && target.clip_space == last_->clip_space) {

@@ -29,8 +29,8 @@ FAULTS = {
     "rotated": "exchanged-weights",
     "flat-last": "wrong-provoking-vertex",
     "corner": "wrong-place",
-    "half": "shown-values",
-    "depth-in-perspective": "shown-values",
+    "half": "few-bits",
+    "depth-in-perspective": "affine-weights",
 }
 
 
@@ -46,8 +46,8 @@ def check(fault, seed="1", weights="perspective"):
         if done.returncode not in (0, 1):
             raise AssertionError(done.stdout + done.stderr)
         with open(path, encoding="utf-8") as file:
-            found = json.load(file)
-    return done.returncode, {cause["name"] for cause in found.get("causes", [])}, done.stdout
+            found = json.load(file)["subjects"][0]
+    return done.returncode, {failure["cause"] for failure in found["failures"]}, done.stdout
 
 
 class WrongValues(unittest.TestCase):

@@ -45,7 +45,7 @@ TEST(CaseFileTest, CasesReadBack) {
     EXPECT_NE(CaseToJson(file).find("\"profile\": \"" + std::string(name) + "\""),
               std::string::npos);
   }
-  file.value.scene.channels = {{.name = "u", .values = {0.1, -0.0, 0x1p-149}},
+  file.value.scene.channels = {{.name = "u", .values = {0.25, -0.0, 0x1p-149}},
                                {"w", Interpolation::kInverseW, EvaluatedAt::kCentroid, {}}};
   ExpectReadsBack(file);
   file.value.options = {Cull::kBack, PixelRect{-1, 0, 5, 2147483647}, 16, 4};

@@ -83,11 +83,11 @@ TEST(ValueJson, EveryMemberOfARuleReadsBack) {
 TEST(ValueJson, BadRulesAreRefusedWithTheRemedy) {
   const auto read = [](const std::string& text) { ParseProfile(text, "profile"); };
   const std::pair<const char*, const char*> bad[] = {
-      {R"({"weights": "affine"})", "known here are unstated, screen and perspective"},
-      {R"({"provoking": "second"})", "known here are unstated, first and last"},
-      {R"({"derivatives": "forward"})", "known here are unstated, analytic, fine and coarse"},
-      {R"({"depth": "unorm8"})", "unorm16, unorm24 and unorm32"},
-      {R"({"depth_rounding": "up"})", "known here are either and nearest"},
+      {R"({"weights": "affine"})", "known here are unstated, screen, perspective"},
+      {R"({"provoking": "second"})", "known here are unstated, first, last"},
+      {R"({"derivatives": "forward"})", "known here are unstated, analytic, fine, coarse"},
+      {R"({"depth": "unorm8"})", "unorm16, unorm24, unorm32"},
+      {R"({"depth_rounding": "up"})", "known here are either, nearest"},
       {R"({"hull": 1})", "write true or false"},
       {R"({"error": {}})", "states an error of nothing"},
       {R"({"error": {"ulps": 0}})", "write ulps, absolute or conditions above 0"},
@@ -145,8 +145,8 @@ TEST(ValueJson, BadChannelsAreRefusedWithTheRemedy) {
       {R"([{"name": "u", "values": [1, 2, "x"]}])", "x"},
       {R"([{"name": "u", "values": [1, 2, "0x1.0000001p+0"]}])", "float32"},
       {R"([{"name": "u", "interpolation": "smooth", "values": [1, 2, 3]}])",
-       "flat, linear, perspective and inverse-w"},
-      {R"([{"name": "u", "at": "corner", "values": [1, 2, 3]}])", "sample, centre and centroid"},
+       "flat, linear, perspective, inverse-w"},
+      {R"([{"name": "u", "at": "corner", "values": [1, 2, 3]}])", "sample, centre, centroid"},
       {R"([{"name": "q", "interpolation": "inverse-w", "values": [1, 1, 1]}])",
        "computed from w alone; leave it out"},
       {R"([{"name": "u", "values": [1, 2, 3]}, {"name": "u", "values": [1, 2, 3]}])",

@@ -23,6 +23,7 @@
 #include "props/run/counterexample.h"
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
@@ -116,6 +117,21 @@ CampaignOptions Options() {
   return options;
 }
 
+// Of what runs the whole catalogue.
+CampaignOptions FewOptions() {
+  CampaignOptions options = Options();
+  options.cases = Cases(options.cases);
+  options.shrink_budget = Cases(options.shrink_budget);
+  return options;
+}
+
+InferOptions FewChecks() {
+  InferOptions options;
+  options.checks = Cases(options.checks);
+  options.nearest_checks = Cases(options.nearest_checks);
+  return options;
+}
+
 const Property& Named(std::string_view name) { return *FindProperty(std::string(name)); }
 
 class PulledTest : public ::testing::TestWithParam<std::string> {};
@@ -128,11 +144,11 @@ TEST_P(PulledTest, ChecksAsARunDoes) {
   for (const Property& property : Catalog()) {
     if (property.is_about_sequence || property.takes_long) continue;
     properties.push_back(&property);
-    checks.push_back(&engine.Add(std::make_unique<PulledCheck>(property, Options())));
+    checks.push_back(&engine.Add(std::make_unique<PulledCheck>(property, FewOptions())));
   }
   Pull(engine, far);
   for (std::size_t k = 0; k < checks.size(); ++k) {
-    ExpectSame(checks[k]->result(), RunCampaign(far, *properties[k], Options()));
+    ExpectSame(checks[k]->result(), RunCampaign(far, *properties[k], FewOptions()));
   }
 }
 
@@ -249,9 +265,9 @@ TEST(PulledEngine, InfersAsInferDoes) {
     SCOPED_TRACE(name);
     AtAFarEnd far(name);
     PulledEngine engine(far.Info());
-    const PulledInfer& pulled = engine.Add(std::make_unique<PulledInfer>(InferOptions{}));
+    const PulledInfer& pulled = engine.Add(std::make_unique<PulledInfer>(FewChecks()));
     EXPECT_LE(Pull(engine, far), 10);
-    const Inference direct = Infer(far);
+    const Inference direct = Infer(far, FewChecks());
     EXPECT_EQ(pulled.result().remaining, direct.remaining);
     EXPECT_EQ(pulled.result().message, direct.message);
     EXPECT_EQ(pulled.result().experiments, direct.experiments);
@@ -281,7 +297,7 @@ TEST(PulledEngine, AsksManyCasesInOneRoundAndEachOnce) {
 TEST(PulledEngine, SaysThatAnAnswerChanged) {
   AtAFarEnd far("mutant:ties-inclusive");  // not what it states: more than one round
   PulledEngine engine(far.Info());
-  engine.Add(std::make_unique<PulledInfer>(InferOptions{}));
+  engine.Add(std::make_unique<PulledInfer>(FewChecks()));
   bool is_the_same = true;
   for (int round = 0; round < 3 && is_the_same; ++round) {
     std::vector<DrawOutcome> outcomes = far.DrawMany(engine.Next());

@@ -173,7 +173,8 @@ TEST(ValueProtocol, RefusesChannelsThatAreNone) {
   };
   for (const char* const none : {"0", "65"}) refuses(head + none + vertex, "give 1 to 64 channels");
   refuses(head + "x" + vertex, "give a number, not x");
-  refuses(head + "same" + vertex, "request 5, channels: there is no request");
+  refuses(head + "same" + vertex,
+          "request 5: not what a request looks like; give channels=N: no request");
   const std::string both = "give channels=N and values among wants=..., or neither";
   refuses("draw 5 2 1 1 window 1 0 wants=primitive-ids,values" + vertex, both);
   refuses("draw 5 2 1 1 window 1 0 wants=primitive-ids channels=1" + vertex, both);
@@ -195,7 +196,7 @@ TEST(ValueProtocol, RefusesChannelsThatAreNone) {
     return wrong.replace(wrong.find(from), from.size(), to);
   };
   refuses(changed("u perspective sample", "u perspective sample 1"), "as an array after the line");
-  refuses(changed("(3, 1), }", "(1, 3), }"), "request 5, its channel u");
+  refuses(changed("(3, 1), }", "(1, 3), }"), "request 1, its channel u: an array has shape (1, 3)");
   refuses(text.substr(0, text.find("id flat") + 140), "array");
 }
 

@@ -54,6 +54,11 @@ ChannelStages Stated(ChannelStages stages, void (*state)(ChannelStages&)) {
   return stages;
 }
 
+// Without a stated error, triangles that reach the plane of the eye are not judged, nor subnormals.
+void StateTheError(ChannelStages& stages) {
+  stages.profile.values.error.conditions = kUsualConditions;
+}
+
 void StateFourSamples(ChannelStages& stages) { stages.profile.pattern = *StandardPattern(4); }
 
 void StateSnapping(ChannelStages& stages) {
@@ -99,11 +104,13 @@ Weights RoundedTo(const Question& q, double unit) {
 
 float Float(double x) { return static_cast<float>(x); }
 
-// In float32, of weights that are rounded.
+// In float32, of weights that are multiplied by the reciprocal of their sum.
 double SumInFloat32(const Question& q) {
-  const Weights weights = WeightsOf(q);
-  return Float(weights[0]) * Float(q.a[0]) + Float(weights[1]) * Float(q.a[1]) +
-         Float(weights[2]) * Float(q.a[2]);
+  const Weights beta = BetasAt(q.v, q.at);
+  if (!q.IsPerspective()) return Float(WeightedSum(WeightsOf(q), q.a));
+  const float reciprocal = 1 / Float(beta[0] + beta[1] + beta[2]);
+  return Float(beta[0]) * reciprocal * Float(q.a[0]) + Float(beta[1]) * reciprocal * Float(q.a[1]) +
+         Float(beta[2]) * reciprocal * Float(q.a[2]);
 }
 
 ChannelStages SummingInFloat32(bool ValueRule::* stated) {
@@ -189,14 +196,17 @@ std::vector<Mutant> OfWeights() {
          if (q.IsPerspective()) q.interpolation = Interpolation::kInverseW;
        }),
        "missing-division", kValuesKill},
-      {"values-behind-the-eye", "weights are of positive w", "", Weighing([](const Question& q) {
-         return Reweighted(q, [](double w) { return w < 0 ? -1.0 : 1.0; });
-       }),
+      {"values-behind-the-eye", "weights are of positive w", "",
+       Stated(Weighing([](const Question& q) {
+                return Reweighted(q, [](double w) { return w < 0 ? -1.0 : 1.0; });
+              }),
+              StateTheError),
        "shown-values", kValuesKill},
       {"values-behind-affine", "values are affine where a vertex lies behind the eye", "",
-       AskingOfChannels([](Question& q) {
-         if (ReachesBehindTheEye(q)) OnTheScreen(q);
-       }),
+       Stated(AskingOfChannels([](Question& q) {
+                if (ReachesBehindTheEye(q)) OnTheScreen(q);
+              }),
+              StateTheError),
        "affine-weights", kValuesKill},
       {"values-linear-in-perspective", "linear values are perspective", "",
        AskingOfChannels([](Question& q) {
@@ -229,34 +239,33 @@ std::vector<Mutant> OfPrecision() {
          const double w = WAt(q);
          return value / w * RoundedToBits(w, 12);
        }),
-       "shown-values", kValuesKill},
+       "few-bits", kValuesKill},
       {"values-half", "values are half floats", "",
-       ChangingValues([](const Question&, double value) { return Half(value); }), "shown-values",
+       ChangingValues([](const Question&, double value) { return Half(value); }), "few-bits",
        kValuesKill},
       {"values-bfloat", "values have eight significant bits", "",
        ChangingValues([](const Question&, double value) { return RoundedToBits(value, 8); }),
-       "shown-values", kValuesKill},
+       "few-bits", kValuesKill},
       {"values-half-numbers", "numbers at the vertices are rounded to half floats", "",
        AskingOfChannels([](Question& q) {
          for (double& number : q.a) number = Half(number);
        }),
-       "shown-values", kValuesKill},
+       "few-bits", kValuesKill},
       {"values-8-bit-weights", "weights have eight fractional bits", "",
-       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-8); }), "shown-values",
-       kValuesKill},
+       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-8); }), "few-bits", kValuesKill},
       {"values-16-bit-weights", "weights have sixteen fractional bits", "",
-       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-16); }), "shown-values",
-       kValuesKill},
+       Weighing([](const Question& q) { return RoundedTo(q, 0x1p-16); }), "few-bits", kValuesKill},
       {"values-large-lost", "values beyond 65504 are infinite", "",
        ChangingValues([](const Question&, double value) {
          return std::fabs(value) > 65504 ? std::copysign(HUGE_VAL, value) : value;
        }),
-       "shown-values", kValuesKill},
+       "few-bits", kValuesKill},
       {"values-flushed", "values below the normal floats are zero", "",
-       ChangingValues([](const Question& q, double value) {
-         const bool is_small = std::fabs(value) < std::numeric_limits<float>::min();
-         return is_small && q.interpolation != Interpolation::kFlat ? 0.0 : value;
-       }),
+       Stated(ChangingValues([](const Question& q, double value) {
+                const bool is_small = std::fabs(value) < std::numeric_limits<float>::min();
+                return is_small && q.interpolation != Interpolation::kFlat ? 0.0 : value;
+              }),
+              StateTheError),
        "shown-values", kValuesKill},
       {"values-clamped", "values are clamped to [0, 1]", "",
        ChangingValues([](const Question& q, double value) {

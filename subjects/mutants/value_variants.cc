@@ -232,14 +232,39 @@ float BySlopes(const FloatForm& form) {
   return value * form.c[0] / form.e[0];
 }
 
+// Whether so many terms cancel that few bits would be left in float32: double is for these.
+bool IsLost(const FloatForm& form) {
+  constexpr double kMost = 4096;
+  FloatForm sizes = form;
+  for (Floats& corner : sizes.v) {
+    for (float& x : corner) x = std::fabs(x);
+  }
+  double size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Floats& a = sizes.v[(i + 1) % 3];
+    const Floats& b = sizes.v[(i + 2) % 3];
+    const Floats terms{a[1] * b[2] + a[2] * b[1], a[2] * b[0] + a[0] * b[2],
+                       a[0] * b[1] + a[1] * b[0]};
+    size += static_cast<double>(At(terms, {std::fabs(form.p.x), std::fabs(form.p.y)})) *
+            std::fabs(static_cast<double>(form.e[i]));
+  }
+  return !(std::fabs(static_cast<double>(SumOf(Times(FloatBetas(form), form.e)))) * kMost > size);
+}
+
+double InDouble(const ValueQuestion& q) {
+  const bool is_equal = q.a[0] == q.a[1] && q.a[1] == q.a[2];
+  if (is_equal && q.interpolation != Interpolation::kInverseW) return q.a[0];
+  return WeightedSum(WeightsOf(q), q.a);
+}
+
 // Underflow is an error of its own.
 ChannelStages InFloat32(float (*form)(const FloatForm&), double conditions = kUsualConditions) {
   ChannelStages stages;
   stages.profile.values.error = {0, 0x1p-148, conditions};
   stages.plane = [form](const ValueQuestion& q) {
-    if (!std::ranges::all_of(q.a, [](double x) { return std::isfinite(x); }))
-      return WeightedSum(WeightsOf(q), q.a);
+    if (!std::ranges::all_of(q.a, [](double x) { return std::isfinite(x); })) return InDouble(q);
     const FloatForm f = FormOf(q);
+    if (IsLost(f)) return InDouble(q);
     return static_cast<double>(Scaled(static_cast<double>(form(f)), f.exponent));
   };
   return stages;
@@ -370,7 +395,8 @@ std::vector<Mutant> ByStatement() {
       {"values-depth-unorm24", "depths have 24 bits, the nearest", "",
        WithDepths(DepthFormat::kUnorm24, DepthRounding::kNearest)},
       {"values-depth-unorm16", "depths have 16 bits, the nearest", "",
-       WithDepths(DepthFormat::kUnorm16, DepthRounding::kNearest)},
+       Changed(WithDepths(DepthFormat::kUnorm16, DepthRounding::kNearest),
+               [](ChannelStages& s) { s.depth_error = 0x1p-16; })},
       {"values-depth-unorm24-below", "depths have 24 bits, rounded down", "",
        Changed(WithDepths(DepthFormat::kUnorm24, DepthRounding::kEither),
                [](ChannelStages& s) {

@@ -30,11 +30,26 @@ std::array<double, 3> EdgePlane(const HomogeneousCorners& v, std::size_t i) {
   return {a.y * b.w - a.w * b.y, a.w * b.x - a.x * b.w, a.x * b.y - a.y * b.x};
 }
 
+// Whether a sum is more than the rounding of its terms in double, by far.
+bool IsKnown(double sum, double size) { return std::fabs(sum) > size * 0x1p-40; }
+
+// Slivers whose area is lost in double cover nothing.
 bool IsInside(const HomogeneousCorners& v, Point2 p) {
   const Weights beta = BetasAt(v, p);
   const double s = beta[0] + beta[1] + beta[2];
   const double d = beta[0] * v[0].w + beta[1] * v[1].w + beta[2] * v[2].w;
-  return s / d > 0 && std::ranges::all_of(beta, [s](double b) { return b / s >= 0; });
+  double s_size = 0, d_size = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const HomogeneousCorner& b = v[kNextCorner[i]];
+    const HomogeneousCorner& c = v[kNextCorner[kNextCorner[i]]];
+    const double size = (std::fabs(b.y * c.w) + std::fabs(b.w * c.y)) * std::fabs(p.x) +
+                        (std::fabs(b.w * c.x) + std::fabs(b.x * c.w)) * std::fabs(p.y) +
+                        std::fabs(b.x * c.y) + std::fabs(b.y * c.x);
+    s_size += size;
+    d_size += size * std::fabs(v[i].w);
+  }
+  return IsKnown(s, s_size) && IsKnown(d, d_size) && s / d > 0 &&
+         std::ranges::all_of(beta, [s](double x) { return x / s >= 0; });
 }
 
 // The columns and rows that may be covered; all of them where a w is not positive.
@@ -69,6 +84,7 @@ class Values final : public Subject {
     info_.takes_threads = info_.takes_tiles = false;
     info_.takes_scissor = info_.takes_culling = false;
     info_.fragments.barycentrics_of = stages_.barycentrics_of;
+    info_.fragments.depth_error = stages_.depth_error;
     info_.fragments.shows_values = info_.fragments.shows_derivatives = true;
   }
 

@@ -83,6 +83,7 @@ struct ChannelStages {
   /// the subject states. None: coverage is not judged.
   std::optional<FixedStages> base = {};
   BarycentricsOf barycentrics_of = BarycentricsOf::kGiven;
+  double depth_error = 0;  ///< as FragmentInfo::depth_error
   bool takes_clip = true;
   /// The columns and rows that quads begin at: 0, the even ones, or 1.
   int quad_origin = 0;

@@ -140,6 +140,16 @@ RASTERPROOF_ORACLE_API rasterproof_oracle_status
 rasterproof_oracle_barycentrics(double x0, double y0, double x1, double y1, double x2, double y2,
                                 double px, double py, double* b0, double* b1, double* b2);
 
+/* What numbers at a triangle's corners are at p, and their derivatives by x and y, each rounded
+ * once to the nearest double. `corners` are x, y, w of the three, the window's being (x/w, y/w); w
+ * may have any sign (1 in window space). `numbers` are one a corner. `interpolation`: 1 affine on
+ * the screen, 2 in perspective, 3 the number over w (1/w of the numbers 1, a depth of the corners'
+ * z). `by_x` and `by_y` may be NULL. NOT_DECIDED if the triangle has no area, or p lies on its
+ * horizon. */
+RASTERPROOF_ORACLE_API rasterproof_oracle_status
+rasterproof_oracle_value(const double corners[9], const double numbers[3], int32_t interpolation,
+                         double px, double py, double* value, double* by_x, double* by_y);
+
 #ifdef __cplusplus
 }
 #endif

@@ -27,6 +27,7 @@
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "exact/placed_scene.h"
+#include "exact/values.h"
 #include "io/case_file.h"
 #include "io/json_writer.h"
 #include "kit/rasterproof_oracle.h"
@@ -447,6 +448,35 @@ rasterproof_oracle_status rasterproof_oracle_barycentrics(double x0, double y0, 
     to0 = (*exact)[0].ToDouble();
     to1 = (*exact)[1].ToDouble();
     to2 = (*exact)[2].ToDouble();
+  });
+}
+
+// NOLINTNEXTLINE(readability-function-size)
+rasterproof_oracle_status rasterproof_oracle_value(const double corners[9], const double numbers[3],
+                                                   int32_t interpolation, double px, double py,
+                                                   double* value, double* by_x, double* by_y) {
+  namespace exact = rasterproof::exact;
+  using rasterproof::InputError;
+  return Guarded([&] {
+    double& to = Required(value, "value");
+    const std::span<const double, 9> v(&Required(corners, "corners"), 9);
+    const std::span<const double, 3> a(&Required(numbers, "numbers"), 3);
+    const auto is_finite = [](double x) { return std::isfinite(x); };
+    if (!std::ranges::all_of(v, is_finite) || !std::ranges::all_of(a, is_finite) ||
+        !std::isfinite(px) || !std::isfinite(py)) {
+      throw InputError("a corner, a number or the point", "not finite", "give finite numbers");
+    }
+    if (interpolation < 1 || interpolation > 3) {
+      throw InputError("interpolation", std::to_string(interpolation), "give 1, 2 or 3");
+    }
+    const exact::Interpolant interpolant(
+        {{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}, {v[6], v[7], v[8]}}}, {px, py});
+    const auto found = interpolant.Derivatives(
+        static_cast<rasterproof::Interpolation>(interpolation), {a[0], a[1], a[2]});
+    if (!found) throw kit::NotDecided{"the triangle has no area, or the point is on its horizon"};
+    to = found->value.ToDouble();
+    if (by_x != nullptr) *by_x = found->dx.ToDouble();
+    if (by_y != nullptr) *by_y = found->dy.ToDouble();
   });
 }
 

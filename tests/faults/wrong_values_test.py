@@ -1,8 +1,8 @@
 """Faults of values in a rasterizer that shares no code with the product: found, and named.
 
-usage: wrong_values_test.py PROGRAM LIBRARY
+usage: wrong_values_test.py PROGRAM LIBRARY EXAMPLE
 
-LIBRARY is wrong_values.c. A fault is named wrongly if a cause is claimed that is not its own.
+LIBRARY is wrong_values.c, EXAMPLE is kit/examples/values.c. A fault is named wrongly if a cause is claimed that is not its own.
 """
 import concurrent.futures
 import json
@@ -12,7 +12,7 @@ import sys
 import tempfile
 import unittest
 
-PROGRAM, LIBRARY = (os.path.abspath(path) for path in sys.argv[1:3])
+PROGRAM, LIBRARY, EXAMPLE = (os.path.abspath(path) for path in sys.argv[1:4])
 CASES = "100"
 SEEDS = ("1",) if os.environ.get("RASTERPROOF_MORE", "") in ("", "0") else "12345"
 
@@ -34,12 +34,12 @@ FAULTS = {
 }
 
 
-def check(fault, seed="1", weights="perspective"):
+def check(fault, seed="1", weights="perspective", library=LIBRARY):
     """The status, and the names of the causes that are told of each violated property."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "found.json")
         done = subprocess.run(
-            [PROGRAM, "check", "--plugin", LIBRARY, "--cases", CASES, "--jobs", "1", "--seed", seed,
+            [PROGRAM, "check", "--plugin", library, "--cases", CASES, "--jobs", "1", "--seed", seed,
              "--json", path],
             env={**os.environ, "RASTERPROOF_FAULT": fault, "RASTERPROOF_WEIGHTS": weights},
             capture_output=True, text=True, check=False)  # fmt: skip
@@ -56,6 +56,12 @@ class WrongValues(unittest.TestCase):
             for seed in SEEDS:
                 status, _, said = check("", seed, weights)
                 self.assertEqual(status, 0, said)
+
+    def test_the_example_holds_in_float32(self):
+        for seed in SEEDS:
+            status, _, said = check("", seed, library=EXAMPLE)
+            self.assertEqual(status, 0, said)
+            self.assertIn("11 hold", said)
 
     def test_each_fault_is_found_and_named(self):
         with concurrent.futures.ThreadPoolExecutor(2) as pool:

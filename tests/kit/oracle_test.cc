@@ -365,6 +365,19 @@ TEST(Oracle, AnswersSingleQuestionsAsItAnswersWhole) {
   ASSERT_EQ(rasterproof_oracle_barycentrics(0, 0, 3, 0, 0, 3, 1, 1, &b[0], &b[1], &b[2]),
             RASTERPROOF_ORACLE_OK);
   for (const double x : b) EXPECT_EQ(x, 1.0 / 3);
+  // Numbers 1, 4, 1 at w = 1, 4, 1, half way along the edge of the first two: NUMERICS C9.
+  const double corners[9] = {0, 0, 1, 16, 0, 4, 0, 4, 1};
+  const double numbers[3] = {1, 4, 1};
+  double value = 0, by_x = 0, by_y = 0;
+  ASSERT_EQ(rasterproof_oracle_value(corners, numbers, 2, 2, 0, &value, &by_x, &by_y),
+            RASTERPROOF_ORACLE_OK);
+  EXPECT_EQ(value, 8.0 / 5);
+  EXPECT_EQ(by_x, 12.0 / 25);
+  ASSERT_EQ(rasterproof_oracle_value(corners, numbers, 1, 2, 0, &value, nullptr, nullptr),
+            RASTERPROOF_ORACLE_OK);
+  EXPECT_EQ(value, 2.5);
+  EXPECT_EQ(rasterproof_oracle_value(corners, numbers, 0, 2, 0, &value, &by_x, &by_y),
+            RASTERPROOF_ORACLE_BAD_ARGUMENT);
   EXPECT_EQ(rasterproof_oracle_barycentrics(0, 0, 3, 0, 6, 0, 1, 1, &b[0], &b[1], &b[2]),
             RASTERPROOF_ORACLE_NOT_DECIDED);
   double x = 0;

@@ -88,6 +88,11 @@ class Arrays(unittest.TestCase):
         self.assertEqual([rp.edge_sign((0, 0), (1, 0), (0, y)) for y in (-tiny, 0, tiny)],
                          [1, 0, -1])  # fmt: skip
         self.assertEqual(rp.barycentrics(((0, 0), (3, 0), (0, 3)), (1, 1)), (1 / 3,) * 3)
+        corners = ((0, 0, 1), (16, 0, 4), (0, 4, 1))
+        self.assertEqual(rp.value(corners, (1, 4, 1), (2, 0)), (8 / 5, 12 / 25, 0.0))
+        self.assertEqual(rp.value(corners, (1, 4, 1), (2, 0), "linear")[0], 5 / 2)
+        with self.assertRaises(rp.BadArgument):
+            rp.value(corners, (1, 4, 1), (2, 0), "flat")
         floor = {"name": "floor", "subpixel_bits": 2, "snap_rule": "floor"}
         self.assertEqual(rp.place((1.49, -0.01), SIZE, floor), (1.25, -0.25))
 

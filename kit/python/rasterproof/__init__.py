@@ -13,12 +13,12 @@ name, a dict with the keys of docs/subjects.md, the text of one as JSON, or a pa
 """
 
 from ._oracle import (MAY, MUST, MUST_NOT, BadArgument, NotDecided, Profile, Verdict, barycentrics,
-                      bounds, coverage, decided, edge_sign, legal, place)
+                      bounds, coverage, decided, edge_sign, legal, place, value)
 from ._serve import Channel, Fragments, Refused, Scene
 from .checking import Report, certify, check
 
 __all__ = [
     "MAY", "MUST", "MUST_NOT", "BadArgument", "Channel", "Fragments", "NotDecided", "Profile",
     "Refused", "Report", "Scene", "Verdict", "barycentrics", "bounds", "certify", "check",
-    "coverage", "decided", "edge_sign", "legal", "place",
+    "coverage", "decided", "edge_sign", "legal", "place", "value",
 ]  # fmt: skip

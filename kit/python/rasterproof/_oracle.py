@@ -72,6 +72,9 @@ def _load():
         pointer, scene, pointer, size, ctypes.c_int32, ctypes.POINTER(ctypes.c_int32)]  # fmt: skip
     library.rasterproof_oracle_edge_sign.argtypes = [double] * 6
     library.rasterproof_oracle_barycentrics.argtypes = [double] * 8 + [ctypes.POINTER(double)] * 3
+    library.rasterproof_oracle_value.argtypes = (
+        [ctypes.POINTER(double)] * 2 + [ctypes.c_int32] + [double] * 2
+        + [ctypes.POINTER(double)] * 3)  # fmt: skip
     return library
 
 
@@ -239,6 +242,26 @@ def barycentrics(triangle, p):
     _require(_library.rasterproof_oracle_barycentrics(
         x0, y0, x1, y1, x2, y2, *p, *(ctypes.byref(b) for b in three)))  # fmt: skip
     return tuple(b.value for b in three)
+
+
+_INTERPOLATIONS = {"linear": 1, "perspective": 2, "over-w": 3}
+
+
+def value(corners, numbers, p, interpolation="perspective"):
+    """(value, d/dx, d/dy) at p of one number a corner, each rounded once to the nearest double.
+
+    Corners are (x, y) of the window, or (x, y, w) before the division by w, which may have any
+    sign. "over-w" gives the number over w: 1/w of the numbers 1, a depth of the corners' z."""
+    if interpolation not in _INTERPOLATIONS:
+        raise BadArgument(f"interpolation: {interpolation!r}; give one of {list(_INTERPOLATIONS)}")
+    flat = [float(c) for corner in corners for c in (*corner, 1.0)[:3]]
+    if len(flat) != 9 or len(numbers) != 3:
+        raise BadArgument("give three corners of two or three coordinates, and three numbers")
+    three = [ctypes.c_double(math.nan) for _ in range(3)]
+    _require(_library.rasterproof_oracle_value(
+        (ctypes.c_double * 9)(*flat), (ctypes.c_double * 3)(*map(float, numbers)),
+        _INTERPOLATIONS[interpolation], *p, *(ctypes.byref(x) for x in three)))  # fmt: skip
+    return tuple(x.value for x in three)
 
 
 def place(point, size, profile):

@@ -93,8 +93,8 @@ struct ValueRule {
   friend bool operator==(const ValueRule&, const ValueRule&) = default;
 };
 
-/// The error of a subject that states none, in conditions: every usual form, from edge values or
-/// planes, with a division and three products, rounds less often than that.
+/// The error of a subject that states none, in units of rounding of what its form may have for a
+/// condition (props/judging/values/value_estimates.h): no form in use rounds so often.
 inline constexpr double kUsualConditions = 16;
 
 }  // namespace rasterproof

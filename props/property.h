@@ -56,9 +56,10 @@ inline Checks OneCheck(Questions questions, std::function<Verdict(const Answers&
 
 /// A property: a row of a file of props/properties/.
 struct Property {
-  std::string_view name;    ///< the property: "SharedEdgeSamplesAreCoveredOnce"
-  std::string_view group;   ///< "edge", "incremental", "barycentric", "values", "coverage", "square",
-                            ///< "wireframe", "extremes"
+  std::string_view name;  ///< the property: "SharedEdgeSamplesAreCoveredOnce"
+  std::string_view
+      group;  ///< "edge", "incremental", "barycentric", "values", "coverage", "square",
+              ///< "wireframe", "extremes"
   std::string_view clause;  ///< what it enforces, with its source
   /// Clauses of core/clauses/ that require it, by their ids: see AuthorityOf.
   std::span<const std::string_view> required_by = {};

@@ -165,6 +165,12 @@ std::vector<Mutant> OfQuads() {
 double Depth24(double x) { return InDepthFormat(x, DepthFormat::kUnorm24); }
 
 // NOLINTNEXTLINE(readability-function-size): a table
+// A depth in double is far nearer than a step of the format: which neighbour it is can be told.
+ChannelStages StatingItsError(ChannelStages stages) {
+  stages.depth_error = 0x1p-32;
+  return stages;
+}
+
 std::vector<Mutant> OfDepths() {
   constexpr DepthFormat k24 = DepthFormat::kUnorm24;
   constexpr double kMost = 0x1p24 - 1;
@@ -174,8 +180,10 @@ std::vector<Mutant> OfDepths() {
                          double z) { return InDepthFormat(z, DepthFormat::kUnorm16); }),
        "shown-values", kFormatKills},
       {"values-depth-truncated", "depths are rounded down, where the nearest is stated", "",
-       Deepening(k24, [](const ValueQuestion&,
-                         double z) { return std::floor(std::clamp(z, 0.0, 1.0) * kMost) / kMost; }),
+       StatingItsError(Deepening(k24,
+                                 [](const ValueQuestion&, double z) {
+                                   return std::floor(std::clamp(z, 0.0, 1.0) * kMost) / kMost;
+                                 })),
        "shown-values", kFormatKills},
       {"values-depth-power-of-two", "depths are multiples of 2^-24", "",
        Deepening(k24,
@@ -186,10 +194,6 @@ std::vector<Mutant> OfDepths() {
       {"values-depth-not-clamped", "depths outside [0, 1] are shown as they are", "",
        Deepening(k24,
                  [](const ValueQuestion&, double z) { return z < 0 || z > 1 ? z : Depth24(z); }),
-       "shown-values", kFormatKills},
-      {"values-depth-wraps", "depths above 1 wrap", "",
-       Deepening(k24, [](const ValueQuestion&,
-                         double z) { return Depth24(z > 1 ? z - std::floor(z) : z); }),
        "shown-values", kFormatKills},
       {"values-depth-perspective", "depths are perspective, where z/w is linear on the screen", "",
        Deepening(DepthFormat::kUnstated,
@@ -212,10 +216,6 @@ std::vector<Mutant> OfDepths() {
       {"values-depth-remapped", "depths are mapped from [0, 1] to [-1, 1]", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) { return q.clip_space ? 2 * z - 1 : z; }),
-       "shown-values", kDepthsKill},
-      {"values-depth-24-bits-shown", "depths have 24 bits, and none are stated", "",
-       Deepening(DepthFormat::kUnstated,
-                 [](const ValueQuestion& q, double z) { return q.clip_space ? Depth24(z) : z; }),
        "shown-values", kDepthsKill},
   };
 }

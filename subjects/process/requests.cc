@@ -261,7 +261,8 @@ std::string RequestsText(std::uint64_t first_id, std::span<const DrawJob> jobs,
   const Scene* channels = nullptr;  // whose were sent last, beside these vertices
   for (const DrawJob& job : jobs) {
     Sent sent;
-    sent.vertices = info.takes_same && before != nullptr && HaveTheSameVertices(*before, *job.scene);
+    sent.vertices =
+        info.takes_same && before != nullptr && HaveTheSameVertices(*before, *job.scene);
     if (!sent.vertices) channels = nullptr;
     sent.channels = channels != nullptr && HaveTheSameChannels(*channels, *job.scene);
     AddRequest(text, first_id++, job, info, sent);

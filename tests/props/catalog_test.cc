@@ -53,7 +53,7 @@ TEST(Catalog, EveryPropertyIsFoundByItsName) {
 
 TEST(Catalog, EveryPropertySaysWhatItEnforcesAndBelongsToAGroup) {
   const std::set<std::string_view> groups{"edge",   "incremental", "barycentric", "coverage",
-                                          "values", "square", "wireframe",   "extremes"};
+                                          "values", "square",      "wireframe",   "extremes"};
   for (const Property& property : Catalog()) {
     EXPECT_TRUE(groups.contains(property.group)) << property.name;
     EXPECT_FALSE(property.clause.empty()) << property.name;

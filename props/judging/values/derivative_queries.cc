@@ -66,8 +66,9 @@ std::optional<Candidate> CandidateOf(const ShownValues& shown, const ValueFragme
     candidate.number = to.value - from.value;
     condition = from.condition + to.condition;
   }
+  if (!std::isfinite(candidate.number)) return std::nullopt;
   const std::optional<double> tolerance =
-      DerivativeTolerance(shown, f, v, channel, ends[0], candidate.number, condition);
+      DerivativeTolerance(shown, f, v, channel, axis, ends, candidate.number);
   if (!tolerance) return std::nullopt;
   candidate.tolerance = *tolerance;
   candidate.margin = kEstimateError * condition;

@@ -4,6 +4,7 @@
 #define RASTERPROOF_PROPS_JUDGING_VALUES_VALUE_ESTIMATES_H_
 
 #include <array>
+#include <limits>
 
 #include "core/channel.h"
 #include "core/vertex.h"
@@ -18,6 +19,16 @@ struct RayCorner {
 };
 using RayCorners = std::array<RayCorner, 3>;
 
+/// What the forms in use may be off in units of rounding, where a subject states nothing. Beside the
+/// products of the condition they have others: of differences from either end of an edge, of the
+/// area, of numbers that are taken from one vertex's. Infinite where a w is not positive.
+struct UsualConditions {
+  double value = std::numeric_limits<double>::infinity();
+  std::array<double, 2> derivatives{std::numeric_limits<double>::infinity(),
+                                    std::numeric_limits<double>::infinity()};
+  double denominator = std::numeric_limits<double>::infinity();
+};
+
 /// A value, its condition (exact/values.h) and those of its derivatives by x and by y, each within
 /// kEstimateError times its condition. Not finite where the denominator is 0 or something
 /// overflows.
@@ -27,6 +38,7 @@ struct ValueEstimate {
   std::array<double, 2> derivatives{};
   std::array<double, 2> derivative_conditions{};
   double denominator = 0;  ///< its sign tells the sides of the horizon apart
+  std::array<double, 2> denominator_slopes{};
   double denominator_condition = 0;  ///< of the denominator alone, relative to it
 };
 
@@ -40,6 +52,9 @@ inline constexpr double kEstimateError = 0x1p-46;
 ///             for 1/w, and the corners' z for a depth.
 ValueEstimate EstimateValue(const RayCorners& v, Interpolation interpolation,
                             const std::array<double, 3>& a, Point2 p);
+/// Domain:     as above.
+UsualConditions UsualConditionsOf(const RayCorners& v, Interpolation interpolation,
+                                  const std::array<double, 3>& a, Point2 p);
 
 /// Numbers in proportion to the exact weights of the vertices at p: beta_i w_i^power. 0: in
 /// perspective, 1: on the screen; the others are what mistakes make of them.

@@ -147,21 +147,25 @@ double LeastNormal(Precision precision) {
   return precision == Precision::kFloat32 ? 0x1p-126 : std::numeric_limits<double>::min();
 }
 
-double ConditionsIn(const ValueError& error) {
-  return error.IsStated() ? error.conditions : kUsualConditions;
+double LargestOf(Precision precision) {
+  return precision == Precision::kFloat32 ? double{std::numeric_limits<float>::max()}
+                                          : std::numeric_limits<double>::max();
 }
 
 // A condition bounds an error to first order: of n / d, with d off by a share e of itself, it grows
 // by 1 / (1 - e). Nothing where d may be half as large as it should be.
-std::optional<double> GrowthOf(const ValueEstimate& e, double conditions, Precision precision) {
-  const double share = conditions * UnitRoundoff(precision) * e.denominator_condition;
+std::optional<double> GrowthOf(double denominator_condition, double conditions,
+                               Precision precision) {
+  const double share = conditions * UnitRoundoff(precision) * denominator_condition;
   return share < 0.5 ? std::optional(1 / (1 - share)) : std::nullopt;
 }
 
-// What the usual forms may be off. Underflows: each product and the value itself lose at most half
-// the least subnormal, which is u times the least normal number.
-std::optional<double> UsualTolerance(const ValueEstimate& e, const RayCorners& v,
-                                     const std::array<double, 3>& numbers, Precision precision) {
+// Whether the usual forms keep within the format's range, and what they lose where they underflow:
+// each product, and the value itself, at most half the least subnormal, which is u times the least
+// normal number.
+std::optional<double> UsualUnderflow(const ValueEstimate& e, const RayCorners& v,
+                                     const std::array<double, 3>& numbers, double condition,
+                                     Precision precision) {
   const double most = precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
   double largest = std::fabs(e.value);
   double largest_w = 1;
@@ -171,22 +175,26 @@ std::optional<double> UsualTolerance(const ValueEstimate& e, const RayCorners& v
     largest_w = std::max(largest_w, v[i].w);
   }
   const double denominator = std::fabs(e.denominator);
-  if (!(e.condition * denominator < most)) return std::nullopt;
-  const double lost = LeastNormal(precision) * (1 + 8 * largest_w * (1 + largest) / denominator);
-  return kUsualConditions * UnitRoundoff(precision) * (e.condition + lost);
+  if (!(condition * std::max(denominator, 1.0) < most)) return std::nullopt;
+  return LeastNormal(precision) * (1 + 8 * largest_w * (1 + largest) / denominator);
 }
 
 std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate& e,
-                                  const RayCorners& v, const std::array<double, 3>& numbers) {
+                                  const RayCorners& v, Interpolation interpolation,
+                                  const std::array<double, 3>& numbers, Point2 p) {
   const ValueError& error = shown.rule.error;
-  const auto growth = GrowthOf(e, ConditionsIn(error), shown.precision);
-  if (!growth) return std::nullopt;
+  const double u = UnitRoundoff(shown.precision);
   if (error.IsStated()) {
+    const auto growth = GrowthOf(e.denominator_condition, error.conditions, shown.precision);
+    if (!growth || std::fabs(e.value) > LargestOf(shown.precision)) return std::nullopt;
     return error.ulps * UlpOf(e.value, shown.precision) + error.absolute +
-           *growth * error.conditions * UnitRoundoff(shown.precision) * e.condition;
+           *growth * error.conditions * u * e.condition;
   }
-  const auto usual = UsualTolerance(e, v, numbers, shown.precision);
-  return usual ? std::optional(*growth * *usual) : std::nullopt;
+  const UsualConditions usual = UsualConditionsOf(v, interpolation, numbers, p);
+  const auto growth = GrowthOf(usual.denominator, kUsualConditions, shown.precision);
+  const auto lost = UsualUnderflow(e, v, numbers, usual.value, shown.precision);
+  if (!growth || !lost) return std::nullopt;
+  return *growth * kUsualConditions * u * (usual.value + *lost);
 }
 
 // Whether no exchange of two vertices, and no other plane, gives what may be shown.
@@ -274,7 +282,8 @@ std::optional<ValueRange> RangeOf(const ShownValues& shown, const ValueFragment&
       if (!std::isfinite(e.value) || !std::isfinite(e.condition)) return std::nullopt;
       if (e.denominator * sign < 0) return std::nullopt;
       sign = e.denominator;
-      const std::optional<double> tolerance = ToleranceOf(shown, e, v, numbers);
+      const std::optional<double> tolerance =
+          ToleranceOf(shown, e, v, channel.interpolation, numbers, p);
       if (!tolerance || !std::isfinite(*tolerance)) return std::nullopt;
       range.low = std::min(range.low, e.value);
       range.high = std::max(range.high, e.value);
@@ -330,21 +339,37 @@ Verdict JudgeFragment(const ShownValues& shown, const ValueFragment& f, ValueJud
 }
 
 std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueFragment& f,
-                                          const RayCorners& v, const Channel& channel, Point2 at,
-                                          double number, double condition) {
-  if (!std::isfinite(number) || !std::isfinite(condition)) return std::nullopt;
-  const std::array<double, 3> numbers = NumbersAt(f, channel);
-  const ValueEstimate e = EstimateValue(v, channel.interpolation, numbers, at);
+                                          const RayCorners& v, const Channel& channel, int axis,
+                                          const std::array<Point2, 2>& ends, double number) {
+  const std::array<double, 3> a = NumbersAt(f, channel);
+  const Interpolation by = channel.interpolation;
+  const bool is_of_plane = ends[0] == ends[1];
+  const auto k = static_cast<std::size_t>(axis);
+  const double u = UnitRoundoff(shown.precision);
   const ValueError& error = shown.rule.derivative_error;
-  const double units = ConditionsIn(error) * UnitRoundoff(shown.precision);
-  const auto growth = GrowthOf(e, ConditionsIn(error), shown.precision);
-  if (!growth) return std::nullopt;
-  const double of_condition = *growth * *growth * units * condition;  // d is in it squared
-  if (error.IsStated())
-    return error.ulps * UlpOf(number, shown.precision) + error.absolute + of_condition;
-  const auto of_value = UsualTolerance(e, v, numbers, shown.precision);
-  if (!of_value) return std::nullopt;
-  return 2 * (of_condition + *of_value - units * e.condition);  // with what underflows
+  double tolerance = 0;
+  for (const Point2 p : ends) {
+    const ValueEstimate e = EstimateValue(v, by, a, p);
+    const UsualConditions usual = UsualConditionsOf(v, by, a, p);
+    const double conditions = error.IsStated() ? error.conditions : 2 * kUsualConditions;
+    const double condition = error.IsStated()
+                                 ? is_of_plane ? e.derivative_conditions[k] : e.condition
+                             : is_of_plane ? usual.derivatives[k]
+                                           : usual.value;
+    const auto growth = GrowthOf(error.IsStated() ? e.denominator_condition : usual.denominator,
+                                 conditions, shown.precision);
+    if (!growth || !std::isfinite(condition)) return std::nullopt;
+    double lost = 0;
+    if (!error.IsStated()) {
+      const auto underflow = UsualUnderflow(e, v, a, condition, shown.precision);
+      if (!underflow) return std::nullopt;
+      lost = *underflow;
+    }
+    // The denominator is in a derivative squared.
+    tolerance += *growth * *growth * conditions * u * (condition + lost);
+    if (is_of_plane) break;
+  }
+  return error.ulps * UlpOf(number, shown.precision) + error.absolute + tolerance;
 }
 
 ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners,
@@ -377,7 +402,7 @@ ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const Va
     const ValueEstimate e = EstimateValue(owners.corners.front(), channel.interpolation, numbers,
                                           PlaceOfValue(f, channel));
     ValueError error = shown.rule.error;
-    error.conditions *= *GrowthOf(e, error.conditions, shown.precision);
+    error.conditions *= *GrowthOf(e.denominator_condition, error.conditions, shown.precision);
     check.holds = exact::IsWithin(x, *value, condition, error, shown.precision);
   }
   check.expected = {Exactly(*value), " within ", range->tolerance};

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/value_rule.h"
 #include "props/judging/values/fragment_queries.h"
 #include "props/judging/values/value_queries.h"
 #include "props/judging/witness.h"
@@ -16,6 +17,8 @@ namespace rasterproof::props {
 namespace clip_depths_stay_within_their_error {
 
 Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
+  // DepthsAreOfTheirFormat holds these to the depth that is clamped and rounded.
+  if (DepthStep(shown.rule.depth) != 0) return Verdict::Held(0);
   const Channel channel{"depth", Interpolation::kInverseW};
   const double x = shown.drawing.depths[f.index];
   const ValueCheck check = CheckValue(shown, f, owners, channel, shown.DepthsOf(f), x);
@@ -48,7 +51,7 @@ extern constinit const Property kClipDepthsStayWithinTheirError{
              .contract = ContractNeeded::kNone,
              .any_owners = true,
              .unwrapped = true,
-             .where = kTellsMistakes},
+             .where = "no normalized format of depth; exchanged vertices would give another depth"},
     .ask = clip_depths_stay_within_their_error::Ask,
 };
 

@@ -1,4 +1,5 @@
 // A depth is a number of the stated format, next to the exact one.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -49,7 +50,11 @@ Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwner
   const Channel channel{"depth",
                         given.is_clip_space ? Interpolation::kInverseW : Interpolation::kLinear};
   std::optional<ValueRange> range = RangeOf(given, f, owners, channel, z);
-  if (!range || range->low < 0 || range->high > 1) return Verdict::Held(0);
+  if (!range) return Verdict::Held(0);
+  if (DepthStep(given.rule.depth) != 0) {
+    range->low = std::clamp(range->low, 0.0, 1.0);
+    range->high = std::clamp(range->high, 0.0, 1.0);
+  }
   range->tolerance += RoundingOf(given.rule, range->high);
   if (!range->SurelyExcludes(x)) return Verdict::Held(1);
   return Verdict::Violated(
@@ -84,7 +89,7 @@ extern constinit const Property kDepthsAreOfTheirFormat{
              .any_owners = true,
              .unwrapped = true,
              .rules = depths_are_of_their_format::kRules,
-             .where = "a depth within [0, 1]"},
+             .where = "normalized ones: of a depth clamped to [0, 1]"},
     .ask = depths_are_of_their_format::Ask,
 };
 

@@ -16,9 +16,9 @@ namespace rasterproof::tool {
 /// or first-drawn), barycentrics-of (given, snapped or either), barycentric-error and depth-error
 /// (absolute), shows (any of edges, steps, centroids, values, derivatives), edge-error and
 /// stepping-error (exact, or as in EdgeInfo), takes (any of window, clip, culling, scissor, tiles,
-/// threads, batches, repeats, same, wants, npy), clock (elapsed if another processor draws), profile
-/// (a preset, or a profile file's JSON on the one line), protocol (as earlier versions had it: 2
-/// stands for takes same wants, 3 for npy too). Lines that begin with # are comments.
+/// threads, batches, repeats, same, wants, npy), clock (elapsed if another processor draws),
+/// profile (a preset, or a profile file's JSON on the one line), protocol (as earlier versions had
+/// it: 2 stands for takes same wants, 3 for npy too). Lines that begin with # are comments.
 struct ProgramDescription {
   SubjectInfo info;
   std::string command;

@@ -4,8 +4,8 @@
  *     cc -std=c11 -O2 -ffp-contract=off -shared -fPIC -I. kit/examples/values.c -o values.so -lm
  *     build/rasterproof check --plugin ./values.so
  *
- * With V_i = (x_i, y_i, w_i) and the sample p, the edge values b_i = (V_j x V_k) . (p.x, p.y, 1) are
- * weights in perspective once they are divided by their sum, and on the screen once b_i w_i is.
+ * With V_i = (x_i, y_i, w_i) and the sample p, the edge values b_i = (V_j x V_k) . (p.x, p.y, 1)
+ * are weights in perspective once divided by their sum, b_i w_i by theirs weights on the screen.
  */
 #include <math.h>
 #include <string.h>

@@ -431,17 +431,13 @@ ValueMistake FindIn(NumbersOf what, Subject& subject, const FailedProperty& fail
 
 // A depth that does not follow from barycentrics may be right, and they wrong.
 ValueMistake FindValueMistake(Subject& subject, const FailedProperty& failure, double seconds) {
-  switch (failure.property->gate.shows) {
-    case Shows::kFragments:
-      return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
-    case Shows::kDepths: {
-      ValueMistake of_depths = FindIn(NumbersOf::kDepths, subject, failure, seconds);
-      if (of_depths.wrong != 0) return of_depths;
-      return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
-    }
-    default:
-      return FindIn(NumbersOf::kChannels, subject, failure, seconds);
-  }
+  const Shows shows = failure.property->gate.shows;
+  if (shows == Shows::kFragments)
+    return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
+  if (shows != Shows::kDepths) return FindIn(NumbersOf::kChannels, subject, failure, seconds);
+  ValueMistake of_depths = FindIn(NumbersOf::kDepths, subject, failure, seconds);
+  if (of_depths.wrong != 0) return of_depths;
+  return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
 }
 
 }  // namespace rasterproof::props

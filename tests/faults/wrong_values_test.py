@@ -2,7 +2,8 @@
 
 usage: wrong_values_test.py PROGRAM LIBRARY EXAMPLE
 
-LIBRARY is wrong_values.c, EXAMPLE is kit/examples/values.c. A fault is named wrongly if a cause is claimed that is not its own.
+LIBRARY is wrong_values.c, EXAMPLE is kit/examples/values.c. A fault is named wrongly if a cause is
+claimed that is not its own.
 """
 import concurrent.futures
 import json

@@ -19,9 +19,9 @@ struct RayCorner {
 };
 using RayCorners = std::array<RayCorner, 3>;
 
-/// What the forms in use may be off in units of rounding, where a subject states nothing. Beside the
-/// products of the condition they have others: of differences from either end of an edge, of the
-/// area, of numbers that are taken from one vertex's. Infinite where a w is not positive.
+/// What the forms in use may be off in units of rounding, where a subject states nothing. Beside
+/// the products of the condition they have others: of differences from either end of an edge, of
+/// the area, of numbers that are taken from one vertex's. Infinite where a w is not positive.
 struct UsualConditions {
   double value = std::numeric_limits<double>::infinity();
   std::array<double, 2> derivatives{std::numeric_limits<double>::infinity(),

@@ -1,5 +1,5 @@
-// The derivatives of a value are those of its plane, or the differences over a quad that the subject
-// states, within their error.
+// The derivatives of a value are those of its plane, or the differences over a quad that the
+// subject states, within their error.
 #include <array>
 #include <cmath>
 #include <cstddef>

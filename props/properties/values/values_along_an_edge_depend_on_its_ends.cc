@@ -1,5 +1,5 @@
-// The values of two triangles with a common edge are equal, to the bit, at a sample on it: the third
-// vertex has no part in them.
+// The values of two triangles with a common edge are equal, to the bit, at a sample on it: the
+// third vertex has no part in them.
 #include <algorithm>
 #include <array>
 #include <cstddef>

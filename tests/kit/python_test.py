@@ -216,7 +216,7 @@ class Verdicts(unittest.TestCase):
         report = rp.check(numpy_values.draw, numpy_values.PROFILE, cases=5, clip=True,
                           coverage="fragments", shows="values derivatives")  # fmt: skip
         self.assertTrue(report, report.text)
-        with self.assertRaisesRegex(rp.BadArgument, "add two lines: coverage fragments"):
+        with self.assertRaisesRegex(rp.BadArgument, "add a line: coverage fragments"):
             rp.check(exact, cases=1, shows=["values"])
 
     def test_exceptions_crashes_and_hangs_are_findings_with_their_cause(self):

@@ -247,6 +247,8 @@ constexpr auto kGolden = std::to_array<Golden>({
     {101, "tilted-grids", 0xdd1e1a31db590f8d},
     {102, "cameras", 0xc1eeda5302d3ae3a},
     {103, "frame-sweeps", 0x9aad71cdd65589ab},
+    {104, "w-ratios", 0x3864d20a1c832489},
+    {105, "clip-slivers", 0xda432442477f27d7},
 });
 
 constexpr std::uint64_t kGoldenCode = 0x9e9b57d48ef36170;

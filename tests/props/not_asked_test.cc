@@ -72,7 +72,7 @@ std::vector<PropertyResult> ResultsOf(FakeSubject& subject,
   return results;
 }
 
-// "barycentrics, depths in clip space: no property judges them".
+// "centroids in clip space: no property judges them".
 std::vector<std::string> Lines(FakeSubject& subject, const std::vector<PropertyResult>& results) {
   std::vector<std::string> lines;
   for (const NotAskedOf& one : NotAsked(subject.Info(), OutputsOf(subject), results)) {
@@ -96,14 +96,19 @@ std::string Above(const std::vector<PropertyResult>& results) {
   return "targets above " + std::to_string(Largest(results)) + " samples";
 }
 
-TEST(NotAsked, NamesOutputsThatNoPropertyJudgesInASpaceThatIsTaken) {
+TEST(NotAsked, NamesOutputsThatNoPropertyWasAskedAboutInASpaceThatIsTaken) {
   FakeSubject subject = ShowsFragments(true, true);
   std::vector<std::string_view> properties = kOfFragments;
   properties.push_back("ClipSpaceCoverageEqualsTheModel");
   const auto results = ResultsOf(subject, properties, 40);
-  EXPECT_EQ(Lines(subject, results),
-            (std::vector<std::string>{"barycentrics, depths in clip space: no property judges them",
-                                      Above(results)}));
+  EXPECT_EQ(
+      Lines(subject, results),
+      (std::vector<std::string>{
+          "barycentrics, depths in clip space: no property about them applies", Above(results)}));
+  properties.push_back("ClipBarycentricsStayWithinTheirError");
+  properties.push_back("ClipDepthsStayWithinTheirError");
+  const auto all = ResultsOf(subject, properties, 40);
+  EXPECT_EQ(Lines(subject, all), std::vector{Above(all)});
 }
 
 TEST(NotAsked, ASpaceThatIsNotTakenIsNoneOfItsBusiness) {

@@ -75,9 +75,7 @@ exact::Attribute NumbersOf(const Channel& channel) {
 // How many values of the scene are beyond the subject's error.
 int Wrong(Subject& subject, const Scene& scene) {
   const ValueError stated = subject.Info().profile.values.error;
-  const exact::ErrorBound bound =
-      stated.IsStated() ? exact::ErrorBound{stated.ulps, stated.absolute, stated.conditions}
-                        : exact::ErrorBound{.conditions = kUsualConditions};
+  const ValueError bound = stated.IsStated() ? stated : ValueError{.conditions = kUsualConditions};
   DrawJob job(scene, {}, 1);
   job.wants.values = job.wants.derivatives = true;
   const Drawing drawing = DrawOne(subject, job);
@@ -92,8 +90,8 @@ int Wrong(Subject& subject, const Scene& scene) {
       const auto value = at.Value(channel.interpolation, NumbersOf(channel));
       const auto condition = at.Conditions(channel.interpolation, NumbersOf(channel));
       if (!value || !condition) continue;
-      if (!exact::IsWithin(drawing.values[k * channels + c], *value, condition->value, bound))
-        ++wrong;
+      const double x = drawing.values[k * channels + c];
+      wrong += exact::IsWithin(x, *value, condition->value, bound, subject.Info().input) ? 0 : 1;
     }
   }
   return wrong;

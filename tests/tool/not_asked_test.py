@@ -37,9 +37,9 @@ class Check(unittest.TestCase):
             with open(path, encoding="utf-8") as file:
                 unasked = json.load(file)["subjects"][0]["unasked"]
         line = not_asked(text)
-        self.assertIn("barycentrics, depths in clip space (no property judges them)", line, text)
+        self.assertIn("centroids in clip space (no property judges them)", line, text)
         self.assertRegex(line, r"targets above [0-9]+ samples")
-        self.assertEqual(unasked[0], {"statement": "barycentrics, depths in clip space",
+        self.assertEqual(unasked[0], {"statement": "centroids in clip space",
                                       "by": "no property judges them"})  # fmt: skip
         self.assertTrue(unasked[-1]["statement"].startswith("targets above"), unasked)
 
@@ -57,14 +57,14 @@ class Certify(unittest.TestCase):
     def test_certificate_page_and_summary_have_it(self):
         with tempfile.TemporaryDirectory() as folder:
             text = run("certify", *plugin("BOTH_SPACES"), "--cases", "12", "--out", folder)
-            self.assertRegex(text, r"\n  not asked: .*barycentrics, depths in clip space \(no ")
+            self.assertRegex(text, r"\n  not asked: .*centroids in clip space \(no ")
             (path,) = glob.glob(os.path.join(folder, "*", "certificate.json"))
             with open(path, encoding="utf-8") as file:
                 not_asked_of = json.load(file)["not_asked"]
-            self.assertIn("barycentrics, depths in clip space",
+            self.assertIn("centroids in clip space",
                           [one["statement"] for one in not_asked_of])  # fmt: skip
             with open(os.path.join(os.path.dirname(path), "report.html"), encoding="utf-8") as file:
-                self.assertIn("barycentrics, depths in clip space", file.read())
+                self.assertIn("centroids in clip space", file.read())
 
 
 if __name__ == "__main__":

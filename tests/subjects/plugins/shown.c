@@ -229,7 +229,7 @@ static int set_up(const rasterproof_scene* scene, size_t index, triangle* t) {
       if (!(fabs(at) <= 32768) || (SPACES != 0 && !(from[3] > 0))) return 0;
       t->v[k][axis] = (int64_t)nearbyint(at * 256);
     }
-    t->z[k] = from[2];
+    t->z[k] = SPACES != 0 ? from[2] / from[3] : from[2];
   }
   const int64_t area = edge(t->v[0], t->v[1], t->v[2][0], t->v[2][1]);
   t->is_back = area < 0;

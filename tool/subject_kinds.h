@@ -21,7 +21,7 @@ namespace rasterproof::tool {
 ///   plugin:PATH       a shared library with the interface of kit/rasterproof_plugin.h
 ///   exec:COMMAND      a program that speaks subjects/process/protocol.h, as PlainDescription says
 ///   PATH.subject      a program and what it states (description.h)
-///   rounds:FOLDER     a program that is not at hand, asked by files (pipe/far_program.h)
+///   rounds:FOLDER     a program that is not at hand, asked by files (rounds/far_program.h)
 inline constexpr std::string_view kPluginPrefix = "plugin:";
 inline constexpr std::string_view kExecPrefix = "exec:";
 inline constexpr std::string_view kRoundsPrefix = "rounds:";

@@ -39,9 +39,9 @@
 #include "tool/legal/legality.h"
 #include "tool/load_case.h"
 #include "tool/not_stated.h"
-#include "tool/pipe/far_program.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/rounds/far_program.h"
 #include "tool/session.h"
 #include "tool/shell.h"
 

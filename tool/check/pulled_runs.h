@@ -12,7 +12,7 @@
 #include "props/engine/pulled.h"
 #include "props/property.h"
 #include "tool/check/cmd_check.h"
-#include "tool/pipe/far_program.h"
+#include "tool/rounds/far_program.h"
 
 namespace rasterproof::tool {
 

@@ -16,8 +16,8 @@
 #include "tool/exit_status.h"
 #include "tool/infer/infer_text.h"
 #include "tool/interrupt.h"
-#include "tool/pipe/far_program.h"
 #include "tool/resolve.h"
+#include "tool/rounds/far_program.h"
 #include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {

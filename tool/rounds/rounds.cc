@@ -1,4 +1,4 @@
-#include "tool/pipe/rounds.h"
+#include "tool/rounds/rounds.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // The subject rounds:FOLDER: a program that is not at hand, asked in rounds of files.
-#ifndef RASTERPROOF_TOOL_PIPE_FAR_PROGRAM_H_
-#define RASTERPROOF_TOOL_PIPE_FAR_PROGRAM_H_
+#ifndef RASTERPROOF_TOOL_ROUNDS_FAR_PROGRAM_H_
+#define RASTERPROOF_TOOL_ROUNDS_FAR_PROGRAM_H_
 
 #include <cstddef>
 #include <functional>
@@ -10,7 +10,7 @@
 
 #include "core/subject_info.h"
 #include "props/engine/pulled.h"
-#include "tool/pipe/rounds.h"
+#include "tool/rounds/rounds.h"
 #include "tool/subject_kinds.h"
 
 namespace rasterproof::tool {
@@ -50,4 +50,4 @@ class FarProgram {
 
 }  // namespace rasterproof::tool
 
-#endif  // RASTERPROOF_TOOL_PIPE_FAR_PROGRAM_H_
+#endif  // RASTERPROOF_TOOL_ROUNDS_FAR_PROGRAM_H_

@@ -1,4 +1,4 @@
-#include "tool/pipe/far_program.h"
+#include "tool/rounds/far_program.h"
 
 #include <filesystem>
 #include <span>

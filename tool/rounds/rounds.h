@@ -1,6 +1,6 @@
 // A program that is not at hand is asked in rounds: a file of requests out, a file of answers in.
-#ifndef RASTERPROOF_TOOL_PIPE_ROUNDS_H_
-#define RASTERPROOF_TOOL_PIPE_ROUNDS_H_
+#ifndef RASTERPROOF_TOOL_ROUNDS_ROUNDS_H_
+#define RASTERPROOF_TOOL_ROUNDS_ROUNDS_H_
 
 #include <cstddef>
 #include <cstdint>
@@ -75,4 +75,4 @@ class Rounds {
 
 }  // namespace rasterproof::tool
 
-#endif  // RASTERPROOF_TOOL_PIPE_ROUNDS_H_
+#endif  // RASTERPROOF_TOOL_ROUNDS_ROUNDS_H_

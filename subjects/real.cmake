@@ -57,8 +57,8 @@ if(SUBJECT_GL_FOUND)
     endif()
     rasterproof_real_subject(${name}
       SOURCES
-        subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc subjects/gl/program.cc
-        subjects/gl/sample_fetcher.cc
+        subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc subjects/gl/interpolator.cc
+        subjects/gl/program.cc subjects/gl/sample_fetcher.cc
       LINK PkgConfig::SUBJECT_GL
       DEFINITIONS
         RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
@@ -88,8 +88,10 @@ if(SUBJECT_GL_FOUND)
       LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/clip_space)
   endfunction()
   rasterproof_gl_clip_subject(gl-llvmpipe-clip llvmpipe)
+  rasterproof_gl_clip_subject(gl-llvmpipe-values llvmpipe RASTERPROOF_GL_SHOWS_VALUES)
   if(gpu)
     rasterproof_gl_clip_subject(gl-gpu-clip "")
+    rasterproof_gl_clip_subject(gl-gpu-values "" RASTERPROOF_GL_SHOWS_VALUES)
   endif()
 endif()
 

@@ -148,10 +148,11 @@ std::optional<double> GrowthOf(const ValueEstimate& e, double conditions, Precis
 }
 
 // What the usual forms may be off. Underflows: each product and the value itself lose at most half
-// the least subnormal, which is u times the least normal number.
-std::optional<double> UsualTolerance(const ValueEstimate& e, const RayCorners& v,
-                                     const std::array<double, 3>& numbers, Precision precision) {
-  const double most = precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
+// the least subnormal, which is u times the least normal number. Who flushes loses up to that, of
+// the vertices' numbers too.
+std::optional<double> UsualTolerance(const ShownValues& shown, const ValueEstimate& e,
+                                     const RayCorners& v, const std::array<double, 3>& numbers) {
+  const double most = shown.precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
   double largest = std::fabs(e.value);
   double largest_w = 1;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -161,8 +162,10 @@ std::optional<double> UsualTolerance(const ValueEstimate& e, const RayCorners& v
   }
   const double denominator = std::fabs(e.denominator);
   if (!(e.condition * denominator < most)) return std::nullopt;
-  const double lost = LeastNormal(precision) * (1 + 8 * largest_w * (1 + largest) / denominator);
-  return kUsualConditions * UnitRoundoff(precision) * (e.condition + lost);
+  const double lost =
+      LeastNormal(shown.precision) * (1 + 8 * largest_w * (1 + largest) / denominator);
+  return kUsualConditions * UnitRoundoff(shown.precision) * (e.condition + lost) +
+         (shown.rule.flushes ? lost + LeastNormal(shown.precision) * e.denominator_condition : 0);
 }
 
 std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate& e,
@@ -174,7 +177,7 @@ std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate&
     return error.ulps * UlpOf(e.value, shown.precision) + error.absolute +
            *growth * error.conditions * UnitRoundoff(shown.precision) * e.condition;
   }
-  const auto usual = UsualTolerance(e, v, numbers, shown.precision);
+  const auto usual = UsualTolerance(shown, e, v, numbers);
   return usual ? std::optional(*growth * *usual) : std::nullopt;
 }
 
@@ -331,7 +334,7 @@ std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueF
   const double of_condition = *growth * *growth * units * condition;  // d is in it squared
   if (error.IsStated())
     return error.ulps * UlpOf(number, shown.precision) + error.absolute + of_condition;
-  const auto of_value = UsualTolerance(e, v, numbers, shown.precision);
+  const auto of_value = UsualTolerance(shown, e, v, numbers);
   if (!of_value) return std::nullopt;
   return 2 * (of_condition + *of_value - units * e.condition);  // with what underflows
 }

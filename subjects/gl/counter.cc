@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "subjects/gl/clip.h"
 #include "subjects/gl/program.h"
+#include "subjects/shaded/shaded.h"
 
 namespace rasterproof::subjects {
 namespace {
@@ -101,9 +101,7 @@ bool GlCounter::Upload(const rasterproof_scene& scene) {
   clip_.clear();
   for (std::size_t v = 0; v < scene.vertex_count; ++v) {
     const double* const vertex = scene.vertices + 4 * v;
-    const auto place = ClipPlace(vertex);
-    if (!place) return false;
-    clip_.insert(clip_.end(), place->begin(), place->end());
+    if (!AddClipPlace(vertex, kHalfViewport, clip_)) return false;
     clip_.push_back(static_cast<float>(vertex[3]));
   }
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(clip_.size() * sizeof(float)), clip_.data(),

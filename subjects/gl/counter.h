@@ -15,6 +15,9 @@
 
 namespace rasterproof::subjects {
 
+/// Half the side of the viewport: nothing within is clipped.
+inline constexpr double kHalfViewport = 8192;
+
 /// How the triangles of a scene reach the driver.
 enum class GlSubmission : std::uint8_t {
   kBatch,  ///< all in one draw call
@@ -24,7 +27,7 @@ enum class GlSubmission : std::uint8_t {
 /// The subpixel bits that the driver reports (GL_SUBPIXEL_BITS); nothing if there is no driver.
 std::optional<int> ReportedSubpixelBits(const char* gallium_driver);
 
-/// Window coordinates arrive exactly (clip.h). The target is the positive quadrant. Row j of the
+/// Window coordinates arrive exactly (AddClipPlace). The target is the positive quadrant. Row j of the
 /// framebuffer is row j of the target: window y is taken as it is, and only its name ("up")
 /// differs.
 class GlCounter {

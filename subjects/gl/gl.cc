@@ -20,15 +20,17 @@ using Drawer = GlCounter;
 #endif
 
 #if defined(RASTERPROOF_GL_SHOWS_VALUES)
-// Of values OpenGL states no error (14.6.1): what is asked of them is quality. They are of vertices
-// as given or on the grid, whichever fits, so the grid is named; coverage is judged elsewhere.
+// Of values OpenGL states no error (14.6.1): what is asked of them is quality. Coverage is judged
+// elsewhere. llvmpipe interpolates between vertices as given; a GPU may do so between snapped ones.
 constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKES_WANTS |
                                  RASTERPROOF_SHOWS_VALUES | RASTERPROOF_SHOWS_DERIVATIVES;
 std::string States() {
-  return R"("contract": "none", "subpixel_bits": 8, "snap_rule": "nearest-even",
-            "snap_form": "float32-difference", "snap_origin": 0.5, "coordinate_limit": 1024,
+  constexpr bool kIsGpu = *RASTERPROOF_GL_DRIVER == '\0';
+  return std::string(kIsGpu ? R"("subpixel_bits": 8, )" : "") +
+         R"("contract": "none", "coordinate_limit": 1024,
             "values": {"weights": "perspective", "provoking": "last", "derivatives": "fine",
-                       "flat": true, "linear": true, "inverse_w": true, "centres": true})";
+                       "flat": true, "linear": true, "inverse_w": true, "centres": true,
+                       "flushes": true})";
 }
 #elif defined(RASTERPROOF_GL_CLIP_SPACE)
 // In clip space the division is the driver's as well: held to it, to every sample. Within 1024 none

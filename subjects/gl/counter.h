@@ -27,8 +27,8 @@ enum class GlSubmission : std::uint8_t {
 /// The subpixel bits that the driver reports (GL_SUBPIXEL_BITS); nothing if there is no driver.
 std::optional<int> ReportedSubpixelBits(const char* gallium_driver);
 
-/// Window coordinates arrive exactly (AddClipPlace). The target is the positive quadrant. Row j of the
-/// framebuffer is row j of the target: window y is taken as it is, and only its name ("up")
+/// Window coordinates arrive exactly (AddClipPlace). The target is the positive quadrant. Row j of
+/// the framebuffer is row j of the target: window y is taken as it is, and only its name ("up")
 /// differs.
 class GlCounter {
  public:

@@ -84,6 +84,8 @@ struct ValueRule {
   DepthRounding depth_rounding = DepthRounding::kEither;
   ValueError error = {};
   ValueError derivative_error = {};
+  /// What is below the normal floats may count as zero, where no error is stated.
+  bool flushes = false;
   bool equal_stay_equal = false;   ///< equal numbers at the vertices give that number, to the bit
   bool exact_at_vertices = false;  ///< a sample at a vertex holds its number, to the bit
   bool stays_in_hull = false;      ///< a value lies between the least and the greatest

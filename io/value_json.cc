@@ -50,14 +50,15 @@ constexpr std::array kPromises{PromiseKey{"flat", &ValueRule::flat},
                                PromiseKey{"inverse_w", &ValueRule::inverse_w},
                                PromiseKey{"centres", &ValueRule::centres},
                                PromiseKey{"centroids", &ValueRule::centroids},
+                               PromiseKey{"flushes", &ValueRule::flushes},
                                PromiseKey{"equal_stay_equal", &ValueRule::equal_stay_equal},
                                PromiseKey{"exact_at_vertices", &ValueRule::exact_at_vertices},
                                PromiseKey{"hull", &ValueRule::stays_in_hull},
                                PromiseKey{"edges_agree", &ValueRule::agrees_along_edges}};
 constexpr auto kValueKeys = std::to_array<std::string_view>(
     {"weights", "provoking", "derivatives", "error", "derivative_error", "depth", "depth_rounding",
-     "flat", "linear", "inverse_w", "centres", "centroids", "equal_stay_equal", "exact_at_vertices",
-     "hull", "edges_agree"});
+     "flat", "linear", "inverse_w", "centres", "centroids", "flushes", "equal_stay_equal",
+     "exact_at_vertices", "hull", "edges_agree"});
 
 double ErrorPart(const JsonValue& value) {
   const double part = CoordinateFromJson(value, Precision::kFloat64);

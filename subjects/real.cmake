@@ -57,8 +57,8 @@ if(SUBJECT_GL_FOUND)
     endif()
     rasterproof_real_subject(${name}
       SOURCES
-        subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc subjects/gl/program.cc
-        subjects/gl/sample_fetcher.cc
+        subjects/gl/gl.cc subjects/gl/counter.cc subjects/gl/context.cc subjects/gl/interpolator.cc
+        subjects/gl/program.cc subjects/gl/sample_fetcher.cc subjects/shaded/shaded.cc
       LINK PkgConfig::SUBJECT_GL
       DEFINITIONS
         RASTERPROOF_GL_NAME="${name}" RASTERPROOF_GL_DRIVER="${driver}"
@@ -88,8 +88,10 @@ if(SUBJECT_GL_FOUND)
       LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/clip_space)
   endfunction()
   rasterproof_gl_clip_subject(gl-llvmpipe-clip llvmpipe)
+  rasterproof_gl_clip_subject(gl-llvmpipe-values llvmpipe RASTERPROOF_GL_SHOWS_VALUES)
   if(gpu)
     rasterproof_gl_clip_subject(gl-gpu-clip "")
+    rasterproof_gl_clip_subject(gl-gpu-values "" RASTERPROOF_GL_SHOWS_VALUES)
   endif()
 endif()
 
@@ -101,7 +103,7 @@ else()
 endif()
 if(SUBJECT_VULKAN_FOUND)
   set(shaders ${PROJECT_BINARY_DIR}/shaders)
-  foreach(shader triangle.vert triangle.frag read_samples.comp)
+  foreach(shader triangle.vert triangle.frag values.vert values.frag read_samples.comp)
     string(REGEX MATCH "[a-z]+$" stage ${shader})
     string(REPLACE vert Vertex stage ${stage})
     string(REPLACE frag Fragment stage ${stage})
@@ -113,8 +115,9 @@ if(SUBJECT_VULKAN_FOUND)
       DEPENDS subjects/vulkan/${shader} VERBATIM)
   endforeach()
   add_custom_target(vulkan_shaders DEPENDS
-    ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/read_samples.comp.h)
-  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT [SAMPLES])
+    ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/values.vert.h
+    ${shaders}/values.frag.h ${shaders}/read_samples.comp.h)
+  # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT [SAMPLES [DEFINITION]])
   # An empty description: the drivers that are installed, and any GPU.
   function(rasterproof_vulkan_subject name install description device half)
     set(samples 1)
@@ -128,13 +131,15 @@ if(SUBJECT_VULKAN_FOUND)
     endif()
     rasterproof_real_subject(${name}
       SOURCES
-        subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc subjects/vulkan/sample_reader.cc
-        ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/read_samples.comp.h
+        subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc subjects/vulkan/interpolator.cc
+        subjects/vulkan/painter.cc subjects/vulkan/sample_reader.cc subjects/shaded/shaded.cc
+        ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/values.vert.h
+        ${shaders}/values.frag.h ${shaders}/read_samples.comp.h
       LINK PkgConfig::SUBJECT_VULKAN
       DEFINITIONS
         RASTERPROOF_VULKAN_NAME="${name}" RASTERPROOF_VULKAN_ICD="${found}"
         RASTERPROOF_VULKAN_DEVICE="${device}"
-        RASTERPROOF_VULKAN_HALF_VIEWPORT=${half} RASTERPROOF_VULKAN_SAMPLES=${samples})
+        RASTERPROOF_VULKAN_HALF_VIEWPORT=${half} RASTERPROOF_VULKAN_SAMPLES=${samples} ${ARGV6})
     target_include_directories(plugin_${name} PRIVATE ${shaders})
     if(samples GREATER 1)
       rasterproof_multisampled(${name})
@@ -150,8 +155,22 @@ if(SUBJECT_VULKAN_FOUND)
     rasterproof_vulkan_subject(vulkan-swiftshader${ending} chromium-common
       /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4096 ${samples})
   endforeach()
+  # Clip space is theirs to divide: beside the subjects that do so.
+  function(rasterproof_vulkan_values name install description device half)
+    rasterproof_vulkan_subject(
+      ${name} "${install}" "${description}" "${device}" ${half} 1 RASTERPROOF_VULKAN_SHOWS_VALUES)
+    if(TARGET plugin_${name})
+      set_target_properties(plugin_${name} PROPERTIES
+        LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/clip_space)
+    endif()
+  endfunction()
+  rasterproof_vulkan_values(vulkan-lavapipe-values mesa-vulkan-drivers
+    "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8192)
+  rasterproof_vulkan_values(vulkan-swiftshader-values chromium-common
+    /usr/lib/chromium/vk_swiftshader_icd.json SwiftShader 4096)
   if(gpu)
     rasterproof_vulkan_subject(vulkan-gpu "" "" "" 8192)
+    rasterproof_vulkan_values(vulkan-gpu-values "" "" "" 8192)
     foreach(samples 2 4 8)
       rasterproof_vulkan_subject(vulkan-gpu-${samples}x "" "" "" 8192 ${samples})
     endforeach()

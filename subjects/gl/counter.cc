@@ -1,16 +1,14 @@
 #include "subjects/gl/counter.h"
 
-#include <cmath>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
 
 #include "subjects/gl/program.h"
+#include "subjects/shaded/shaded.h"
 
 namespace rasterproof::subjects {
 namespace {
-
-constexpr double kHalfViewport = 8192;  // nothing within is clipped
 
 constexpr const char* kVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 clip;
@@ -102,16 +100,9 @@ void GlCounter::Bind() const {
 bool GlCounter::Upload(const rasterproof_scene& scene) {
   clip_.clear();
   for (std::size_t v = 0; v < scene.vertex_count; ++v) {
-    const double w = scene.vertices[4 * v + 3];
-    for (std::size_t k = 0; k < 2; ++k) {
-      const double scaled = scene.vertices[4 * v + k];
-      // A NaN passes: what becomes of it is the driver's to say. What would be clipped does not.
-      if (std::fabs(scaled) > kHalfViewport * w) return false;
-      const auto clip = static_cast<float>(scaled / kHalfViewport);
-      if (!std::isnan(scaled) && double{clip} * kHalfViewport != scaled) return false;
-      clip_.push_back(clip);
-    }
-    clip_.push_back(static_cast<float>(w));
+    const double* const vertex = scene.vertices + 4 * v;
+    if (!AddClipPlace(vertex, kHalfViewport, clip_)) return false;
+    clip_.push_back(static_cast<float>(vertex[3]));
   }
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(clip_.size() * sizeof(float)), clip_.data(),
                GL_STREAM_DRAW);

@@ -5,13 +5,34 @@
 
 #include "kit/rasterproof_plugin.h"
 #include "subjects/gl/counter.h"
+#include "subjects/gl/interpolator.h"
 
 namespace {
 
 using rasterproof::subjects::GlCounter;
+using rasterproof::subjects::GlInterpolator;
 using rasterproof::subjects::GlSubmission;
 
-#if defined(RASTERPROOF_GL_CLIP_SPACE)
+#if defined(RASTERPROOF_GL_SHOWS_VALUES)
+using Drawer = GlInterpolator;
+#else
+using Drawer = GlCounter;
+#endif
+
+#if defined(RASTERPROOF_GL_SHOWS_VALUES)
+// Of values OpenGL states no error (14.6.1): what is asked of them is quality. Coverage is judged
+// elsewhere. llvmpipe interpolates between vertices as given; a GPU may do so between snapped ones.
+constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKES_WANTS |
+                                 RASTERPROOF_SHOWS_VALUES | RASTERPROOF_SHOWS_DERIVATIVES;
+std::string States() {
+  constexpr bool kIsGpu = *RASTERPROOF_GL_DRIVER == '\0';
+  return std::string(kIsGpu ? R"("subpixel_bits": 8, )" : "") +
+         R"("contract": "none", "coordinate_limit": 1024,
+            "values": {"weights": "perspective", "provoking": "last", "derivatives": "fine",
+                       "flat": true, "linear": true, "inverse_w": true, "centres": true,
+                       "flushes": true})";
+}
+#elif defined(RASTERPROOF_GL_CLIP_SPACE)
 // In clip space the division is the driver's as well: held to it, to every sample. Within 1024 none
 // of its triangles is lost (docs/findings.md, 1).
 constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKES_NO_WINDOW_SPACE;
@@ -45,10 +66,14 @@ const std::string& Profile() {
 
 void* Open() {
   try {
+#if defined(RASTERPROOF_GL_SHOWS_VALUES)
+    return std::make_unique<GlInterpolator>(RASTERPROOF_GL_DRIVER).release();
+#else
     return std::make_unique<GlCounter>(RASTERPROOF_GL_DRIVER,
                                        GlSubmission::RASTERPROOF_GL_SUBMISSION,
                                        RASTERPROOF_GL_SAMPLES)
         .release();
+#endif
   } catch (const std::exception&) {
     return nullptr;
   }
@@ -56,10 +81,10 @@ void* Open() {
 
 std::int32_t Draw(void* state, const rasterproof_scene* scene, const rasterproof_target* target) {
   if (state == nullptr) return 1;
-  return static_cast<GlCounter*>(state)->Draw(*scene, *target);
+  return static_cast<Drawer*>(state)->Draw(*scene, *target);
 }
 
-void Close(void* state) { delete static_cast<GlCounter*>(state); }
+void Close(void* state) { delete static_cast<Drawer*>(state); }
 
 }  // namespace
 
@@ -69,10 +94,11 @@ const rasterproof_plugin* rasterproof_plugin_describe(void) {
     described.version = RASTERPROOF_PLUGIN_VERSION;
     described.size = sizeof(rasterproof_plugin);
     described.name = RASTERPROOF_GL_NAME;
-    described.summary = "OpenGL, additive blending, " RASTERPROOF_GL_NAME;
+    described.summary = "OpenGL, " RASTERPROOF_GL_NAME;
     described.profile = Profile().c_str();
     described.input = RASTERPROOF_FLOAT32;
-    described.coverage = RASTERPROOF_FACING_COUNTS;
+    const bool shows_values = (kTakes & RASTERPROOF_SHOWS_VALUES) != 0;
+    described.coverage = shows_values ? RASTERPROOF_FRAGMENTS : RASTERPROOF_FACING_COUNTS;
     described.takes = kTakes;
     described.draw = Draw;
     described.open = Open;

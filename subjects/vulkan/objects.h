@@ -4,8 +4,8 @@
 
 #include <vulkan/vulkan.h>
 
-#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 
 namespace rasterproof::subjects {
@@ -14,12 +14,11 @@ inline void Require(VkResult result, const char* what) {
   if (result != VK_SUCCESS) throw std::runtime_error(what);
 }
 
-template <std::size_t n>
-VkShaderModule Module(VkDevice device, const std::uint32_t (&words)[n]) {
+inline VkShaderModule Module(VkDevice device, std::span<const std::uint32_t> words) {
   VkShaderModuleCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
-  info.codeSize = sizeof(words);
-  info.pCode = words;
+  info.codeSize = words.size_bytes();
+  info.pCode = words.data();
   VkShaderModule module = VK_NULL_HANDLE;
   Require(vkCreateShaderModule(device, &info, nullptr, &module), "no shader module");
   return module;

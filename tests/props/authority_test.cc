@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -115,10 +116,13 @@ TEST(Authority, AClauseAndAStatedErrorRequireTogether) {
                                     {"webgpu", "webgpu.barycentric"}}) {
     SubjectInfo info;
     info.profile = *PresetProfile(set);
-    EXPECT_EQ(AuthorityOf(*FindProperty(kWithin), info).authority, Authority::kQuality) << set;
+    const std::array properties{kWithin, std::string_view("FragmentBarycentricsSumToOne")};
+    for (const std::string_view property : properties) {
+      EXPECT_EQ(AuthorityOf(*FindProperty(property), info).authority, Authority::kQuality)
+          << set << ", " << property;
+    }
     info.fragments.barycentric_error = 1e-5;
-    for (const std::string_view property :
-         {kWithin, std::string_view("FragmentBarycentricsSumToOne")}) {
+    for (const std::string_view property : properties) {
       const Grounds grounds = AuthorityOf(*FindProperty(property), info);
       EXPECT_EQ(grounds.authority, Authority::kClause) << set << ", " << property;
       EXPECT_EQ(IdsOf(grounds), std::vector<std::string>{clause}) << property;

@@ -162,10 +162,11 @@ std::optional<double> GrowthOf(double denominator_condition, double conditions,
 
 // Whether the usual forms keep within the format's range, and what they lose where they underflow:
 // each product, and the value itself, at most half the least subnormal, which is u times the least
-// normal number.
-std::optional<double> UsualUnderflow(const ValueEstimate& e, const RayCorners& v,
-                                     const std::array<double, 3>& numbers, double condition,
-                                     Precision precision) {
+// normal number. Who flushes loses up to that, of the vertices' numbers too.
+std::optional<double> UsualUnderflow(const ShownValues& shown, const ValueEstimate& e,
+                                     const RayCorners& v, const std::array<double, 3>& numbers,
+                                     double condition) {
+  const Precision precision = shown.precision;
   const double most = precision == Precision::kFloat32 ? 0x1p126 : 0x1p1022;
   double largest = std::fabs(e.value);
   double largest_w = 1;
@@ -176,7 +177,9 @@ std::optional<double> UsualUnderflow(const ValueEstimate& e, const RayCorners& v
   }
   const double denominator = std::fabs(e.denominator);
   if (!(condition * std::max(denominator, 1.0) < most)) return std::nullopt;
-  return LeastNormal(precision) * (1 + 8 * largest_w * (1 + largest) / denominator);
+  const double lost = LeastNormal(precision) * (1 + 8 * largest_w * (1 + largest) / denominator);
+  return kUsualConditions * UnitRoundoff(precision) * lost +
+         (shown.rule.flushes ? lost + LeastNormal(precision) * e.denominator_condition : 0);
 }
 
 std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate& e,
@@ -192,9 +195,9 @@ std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate&
   }
   const UsualConditions usual = UsualConditionsOf(v, interpolation, numbers, p);
   const auto growth = GrowthOf(usual.denominator, kUsualConditions, shown.precision);
-  const auto lost = UsualUnderflow(e, v, numbers, usual.value, shown.precision);
+  const auto lost = UsualUnderflow(shown, e, v, numbers, usual.value);
   if (!growth || !lost) return std::nullopt;
-  return *growth * kUsualConditions * u * (usual.value + *lost);
+  return *growth * (kUsualConditions * u * usual.value + *lost);
 }
 
 // Whether no exchange of two vertices, and no other plane, gives what may be shown.
@@ -361,12 +364,12 @@ std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueF
     if (!growth || !std::isfinite(condition)) return std::nullopt;
     double lost = 0;
     if (!error.IsStated()) {
-      const auto underflow = UsualUnderflow(e, v, a, condition, shown.precision);
+      const auto underflow = UsualUnderflow(shown, e, v, a, condition);
       if (!underflow) return std::nullopt;
-      lost = *underflow;
+      lost = 2 * *underflow;
     }
     // The denominator is in a derivative squared.
-    tolerance += *growth * *growth * conditions * u * (condition + lost);
+    tolerance += *growth * *growth * (conditions * u * condition + lost);
     if (is_of_plane) break;
   }
   return error.ulps * UlpOf(number, shown.precision) + error.absolute + tolerance;

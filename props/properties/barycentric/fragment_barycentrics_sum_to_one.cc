@@ -53,7 +53,6 @@ extern constinit const Property kFragmentBarycentricsSumToOne{
     .group = "barycentric",
     .clause =
         "a + b + c = 1 (OpenGL 4.6 section 14.6.1 and Vulkan 1.3, Basic Polygon Rasterization).",
-    .required_by = kBarycentricClauses,
     .required_with_error = kBarycentricErrorClauses,
     .tolerance = "the sum of the three tolerances of FragmentBarycentricsStayWithinTheirError",
     .domains = kFragments,

@@ -66,7 +66,8 @@ struct Fused {
   }
 };
 
-// Sum l_i a_i with l_i = E_i / (E_0 + E_1 + E_2), each edge value from its own start.
+// Sum l_i a_i with l_i = E_i / (E_0 + E_1 + E_2), each edge value from its own start. At a vertex
+// two edge values are 0, the difference of equal products, and the third is the sum: its l_i is 1.
 struct EdgeProducts {
   template <class T>
   static T At(const ValueTask<T>& t) {

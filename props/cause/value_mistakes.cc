@@ -118,16 +118,14 @@ void AddExchanges(std::vector<Mistake>& list) {
   constexpr std::array<Side, 3> kSides{{{0, ""}, {-1, " of back faces"}, {1, " of front faces"}}};
   for (const Side& side : kSides) {
     for (const Order& order : kOrders) {
-      list.push_back({"exchanged-weights", std::string(order.what).append(side.what),
-                      [&side = std::as_const(side), order,
-                       facing = side.facing](const Shown& s) -> std::optional<ValueEstimate> {
-                        if (!IsInterpolated(s) || (facing != 0 && s.facing != facing))
-                          return std::nullopt;
-                        const Numbers& a = s.numbers;
-                        return Estimated(s, s.channel.interpolation,
-                                         {a[order.of[0]], a[order.of[1]], a[order.of[2]]},
-                                         PlaceOf(s));
-                      }});
+      list.push_back(
+          {"exchanged-weights", std::string(order.what).append(side.what),
+           [order, facing = side.facing](const Shown& s) -> std::optional<ValueEstimate> {
+             if (!IsInterpolated(s) || (facing != 0 && s.facing != facing)) return std::nullopt;
+             const Numbers& a = s.numbers;
+             return Estimated(s, s.channel.interpolation,
+                              {a[order.of[0]], a[order.of[1]], a[order.of[2]]}, PlaceOf(s));
+           }});
     }
   }
 }
@@ -344,7 +342,7 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
   for (const ValueFragment& f : fragments) {
     if (f.readings.size() != 1 || !f.readings.front().known) continue;
     const auto same = std::ranges::find(others, f.index, &ValueFragment::index);
-    const int facing = placed.facings[static_cast<std::size_t>(f.triangle)];
+    const int facing = placed.facings[static_cast<std::size_t>(f.triangle)] > 0 ? 1 : -1;
     for (Shown& s : NumbersOfFragment(values, f, what_)) {
       s.facing = facing;
       if (same != others.end() && same->readings.size() == 1)

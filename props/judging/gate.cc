@@ -25,6 +25,7 @@ struct Wanted {
   std::string_view words;
 };
 
+// NOLINTNEXTLINE(readability-function-size): a table
 Wanted WantedBy(Shows shows) {
   using D = Description;
   switch (shows) {

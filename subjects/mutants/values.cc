@@ -181,7 +181,7 @@ class Values final : public Subject {
     q.at = PlaceOf(q, q.sample);
     drawing.counts.front[k] = 1;
     drawing.primitive_ids[k] = static_cast<std::int32_t>(t);
-    drawing.barycentrics[k] = Barycentrics(q);
+    drawing.barycentrics[k] = WeightsShown(q);
     drawing.depths[k] = Depth(q);
     if (!job.wants.values) return;
     for (std::size_t c = 0; c < scene.channels.size(); ++c) {
@@ -201,7 +201,7 @@ class Values final : public Subject {
     }
   }
 
-  Weights Barycentrics(ValueQuestion q) const {
+  Weights WeightsShown(ValueQuestion q) const {
     const bool on_screen = stages_.profile.values.weights == WeightsIn::kScreen;
     q.interpolation = on_screen ? Interpolation::kLinear : Interpolation::kPerspective;
     if (stages_.asked) stages_.asked(q);

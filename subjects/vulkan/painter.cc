@@ -167,6 +167,7 @@ void VulkanPainter::MakeCommands() {
   Require(vkCreateFence(device_, &fence, nullptr, &fence_), "no fence");
 }
 
+// NOLINTNEXTLINE(readability-function-size): structures to fill in, one after the other.
 void VulkanPainter::MakePipeline() {
   constexpr VkPushConstantRange kConstants{VK_SHADER_STAGE_FRAGMENT_BIT, 0, sizeof(PassKinds)};
   VkPipelineLayoutCreateInfo layout{};

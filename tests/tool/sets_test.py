@@ -27,7 +27,8 @@ NO_INFINITIES = {"name": "no-infinities", "subpixel_bits": 8, "infinite_vertex":
 # Sound twins of a mutant: no set forbids them.
 TWINS = {"vulkan-kept-by-all", "vulkan-fragments-snapped", "vulkan-fragments-given",
          "vulkan-fragments-unstated", "gl-fragments-unstated", "vulkan-refuses-non-finite",
-         "gl-refuses-non-finite", "vulkan-far"}  # fmt: skip
+         "gl-refuses-non-finite", "vulkan-far", "d3d11-values", "d3d11-values-4x", "gl-values",
+         "gl-values-4x", "vulkan-values", "vulkan-values-snapped", "webgpu-values"}  # fmt: skip
 # variant: the set that forbids it, the property that finds it, and in how many cases at most
 FORBIDDEN = {
     "vulkan-4-bits": ("d3d11", JOINT, 60),

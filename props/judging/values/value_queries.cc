@@ -20,7 +20,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::size_t kMostFragments = 24;
+constexpr std::size_t kMostValueFragments = 24;
 constexpr std::size_t kMostLookedAt = 1024;  // to see whether they lie on an edge
 // A w farther from 1 than this, or its reciprocal, makes products of the usual forms leave float32.
 constexpr double kUsualW = 0x1p30;
@@ -119,8 +119,9 @@ std::vector<ValueOwners> ReadingsOf(const PlacedCase& c, const SubjectInfo& info
   const BarycentricsOf of = info.fragments.barycentrics_of;
   std::vector<ValueOwners> readings;
   const auto add = [&](std::optional<ValueOwners> owners) {
-    if (owners) readings.push_back(*std::move(owners));
-    return owners.has_value();
+    if (!owners) return false;
+    readings.push_back(*std::move(owners));
+    return true;
   };
   if (LeavesGridPointsOpen(c.profile) && !IsLeftWhole(c, t)) return {};
   if (of != BarycentricsOf::kGiven && LeavesGridPointsOpen(c.profile)) {
@@ -311,7 +312,7 @@ std::vector<ValueFragment> FragmentsOf(const PlacedCase& c, const SubjectInfo& i
   }
   std::vector<ValueFragment> some;
   const std::size_t most =
-      choice == FragmentChoice::kOnTheFirstEdge ? kMostLookedAt : kMostFragments;
+      choice == FragmentChoice::kOnTheFirstEdge ? kMostLookedAt : kMostValueFragments;
   for (std::size_t n = 0; n < covered.size(); n += covered.size() / most + 1) {
     ValueFragment f;
     f.index = covered[n];

@@ -96,7 +96,7 @@ struct ValueRule {
 };
 
 /// The error of a subject that states none, in units of rounding of what its form may have for a
-/// condition (props/judging/values/value_estimates.h): no form in use rounds so often.
+/// condition (props/judging/values/value_estimates.h, which says what was tested).
 inline constexpr double kUsualConditions = 16;
 
 }  // namespace rasterproof

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_PROPERTIES_ROW_WORDS_H_
 #define RASTERPROOF_PROPS_PROPERTIES_ROW_WORDS_H_
 
+#include <span>
 #include <string_view>
 
 #include "props/judging/gate.h"
@@ -25,6 +26,15 @@ inline constexpr Gate kAsksValues{.space = Space::kEither,
                                   .contract = ContractNeeded::kNone,
                                   .any_owners = true,
                                   .unwrapped = true};
+
+/// The gate of a property about values or derivatives, with its rules and its cases.
+constexpr Gate AsksOf(Shows shows, std::span<const ProfileRule> rules, std::string_view where) {
+  Gate gate = kAsksValues;
+  gate.shows = shows;
+  gate.rules = rules;
+  gate.where = where;
+  return gate;
+}
 
 // Where: see Gate.
 inline constexpr std::string_view kAreaNotZero = "area not zero";

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/value_rule.h"
-#include "props/judging/values/exact_comparison.h"
+#include "props/judging/values/precision_units.h"
 #include "props/judging/witness.h"
 
 namespace rasterproof::props {
@@ -17,6 +17,7 @@ namespace {
 // One number that the derivative may be: of the plane at a point, or a difference of two values.
 struct Candidate {
   double number = 0;
+  double beside_ulps = 0;  // of the tolerance
   double tolerance = 0;
   double margin = 0;
   std::array<Point2, 2> ends{};  // equal: of the plane
@@ -62,15 +63,17 @@ std::optional<Candidate> CandidateOf(const ShownValues& shown, const ValueFragme
   } else {
     const ValueEstimate from = EstimateValue(v, channel.interpolation, a, ends[0]);
     const ValueEstimate to = EstimateValue(v, channel.interpolation, a, ends[1]);
-    if (from.denominator * to.denominator < 0) return std::nullopt;  // the horizon lies between
+    // The horizon lies between.
+    if (std::signbit(from.denominator) != std::signbit(to.denominator)) return std::nullopt;
     candidate.number = to.value - from.value;
     condition = from.condition + to.condition;
   }
   if (!std::isfinite(candidate.number)) return std::nullopt;
-  const std::optional<double> tolerance =
-      DerivativeTolerance(shown, f, v, channel, axis, ends, candidate.number);
+  const std::optional<double> tolerance = DerivativeTolerance(shown, f, v, channel, axis, ends);
   if (!tolerance) return std::nullopt;
-  candidate.tolerance = *tolerance;
+  candidate.beside_ulps = *tolerance;
+  candidate.tolerance =
+      *tolerance + shown.rule.derivative_error.ulps * UlpOf(candidate.number, shown.precision);
   candidate.margin = kEstimateError * condition;
   return candidate;
 }
@@ -116,12 +119,15 @@ DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f
   check.tells = !may_be(-first.number, 1) && !may_be(2 * first.number, 1);
   check.expected = {first.number, " within ", first.tolerance};
   if (may_be(x, -1)) return check;
+  // An estimate acquits; only the exact number convicts.
   check.holds = false;
-  if (!may_be(x, 1)) return check;
+  const ValueError beside{.ulps = shown.rule.derivative_error.ulps};
   for (const Candidate& candidate : candidates) {
     const auto number = ExactOf(candidate, f, owners, channel, axis);
     if (!number) return {};
-    if (CompareWithExact(x, *number, candidate.tolerance).within) check.holds = true;
+    ValueError error = beside;
+    error.absolute = candidate.beside_ulps;
+    if (exact::IsWithin(x, *number, 0, error, shown.precision)) check.holds = true;
   }
   return check;
 }

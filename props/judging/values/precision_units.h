@@ -2,6 +2,10 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_VALUES_PRECISION_UNITS_H_
 #define RASTERPROOF_PROPS_JUDGING_VALUES_PRECISION_UNITS_H_
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "core/scene.h"
 
 namespace rasterproof::props {
@@ -14,6 +18,23 @@ constexpr double UnitRoundoff(Precision precision) {
 /// eta: the smallest subnormal number, 2^-149 or 2^-1074.
 constexpr double SmallestSubnormal(Precision precision) {
   return precision == Precision::kFloat32 ? 0x1p-149 : 0x1p-1074;
+}
+
+/// The smallest and the largest number of the format with all its bits.
+constexpr double LeastNormal(Precision precision) {
+  return precision == Precision::kFloat32 ? 0x1p-126 : std::numeric_limits<double>::min();
+}
+constexpr double LargestNumber(Precision precision) {
+  return precision == Precision::kFloat32 ? double{std::numeric_limits<float>::max()}
+                                          : std::numeric_limits<double>::max();
+}
+
+/// The ulp of a number in the format.
+inline double UlpOf(double value, Precision precision) {
+  const bool is_float = precision == Precision::kFloat32;
+  int exponent = 0;
+  static_cast<void>(std::frexp(value, &exponent));
+  return std::ldexp(1.0, std::max(exponent - (is_float ? 24 : 53), is_float ? -149 : -1074));
 }
 
 }  // namespace rasterproof::props

@@ -22,6 +22,11 @@ using RayCorners = std::array<RayCorner, 3>;
 /// What the forms in use may be off in units of rounding, where a subject states nothing. Beside
 /// the products of the condition they have others: of differences from either end of an edge, of
 /// the area, of numbers that are taken from one vertex's. Infinite where a w is not positive.
+///
+/// Tested, not proved: kUsualConditions of them bound the plain forms of reference/value_methods.h
+/// in float32, each of which is proved to stay within 11 conditions about a point of its own.
+/// Measured:   largest error / allowed of 4,000 triangles a form, seed 1: 0.068 (vertex-plane); of
+///             the others at most 0.041: UsualConditions.AreNotExceededByAnyFormInUse, 2026-11-28.
 struct UsualConditions {
   double value = std::numeric_limits<double>::infinity();
   std::array<double, 2> derivatives{std::numeric_limits<double>::infinity(),

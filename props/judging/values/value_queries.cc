@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/profile.h"
-#include "exact/edge.h"
 #include "props/judging/freedom/free_choices.h"
 #include "props/judging/freedom/outline.h"
 #include "props/judging/redraw.h"
@@ -137,22 +136,6 @@ std::vector<ValueOwners> ReadingsOf(const PlacedCase& c, const SubjectInfo& info
   return readings;
 }
 
-double UlpOf(double value, Precision precision) {
-  const bool is_float = precision == Precision::kFloat32;
-  int exponent = 0;
-  static_cast<void>(std::frexp(value, &exponent));
-  return std::ldexp(1.0, std::max(exponent - (is_float ? 24 : 53), is_float ? -149 : -1074));
-}
-
-double LeastNormal(Precision precision) {
-  return precision == Precision::kFloat32 ? 0x1p-126 : std::numeric_limits<double>::min();
-}
-
-double LargestOf(Precision precision) {
-  return precision == Precision::kFloat32 ? double{std::numeric_limits<float>::max()}
-                                          : std::numeric_limits<double>::max();
-}
-
 // A condition bounds an error to first order: of n / d, with d off by a share e of itself, it grows
 // by 1 / (1 - e). Nothing where d may be half as large as it should be.
 std::optional<double> GrowthOf(double denominator_condition, double conditions,
@@ -190,7 +173,7 @@ std::optional<double> ToleranceOf(const ShownValues& shown, const ValueEstimate&
   const double u = UnitRoundoff(shown.precision);
   if (error.IsStated()) {
     const auto growth = GrowthOf(e.denominator_condition, error.conditions, shown.precision);
-    if (!growth || std::fabs(e.value) > LargestOf(shown.precision)) return std::nullopt;
+    if (!growth || std::fabs(e.value) > LargestNumber(shown.precision)) return std::nullopt;
     return error.ulps * UlpOf(e.value, shown.precision) + error.absolute +
            *growth * error.conditions * u * e.condition;
   }
@@ -279,13 +262,16 @@ std::optional<ValueRange> RangeOf(const ShownValues& shown, const ValueFragment&
   const double reach = channel.at == EvaluatedAt::kCentre ? 0 : f.reach;
   ValueRange range{std::numeric_limits<double>::infinity(),
                    -std::numeric_limits<double>::infinity()};
-  double sign = 0;
+  std::optional<bool> is_negative;
   for (const RayCorners& v : owners.corners) {
     for (const Point2 p : PointsOf(PlaceOfValue(f, channel), reach)) {
       const ValueEstimate e = EstimateValue(v, channel.interpolation, numbers, p);
       if (!std::isfinite(e.value) || !std::isfinite(e.condition)) return std::nullopt;
-      if (e.denominator * sign < 0) return std::nullopt;
-      sign = e.denominator;
+      // Beyond what double tells, only the exact decision of known owners is left.
+      const bool is_told = kEstimateError * e.denominator_condition < 0.5;
+      if (!owners.known && !is_told) return std::nullopt;
+      if (is_negative && *is_negative != std::signbit(e.denominator)) return std::nullopt;
+      is_negative = std::signbit(e.denominator);
       const std::optional<double> tolerance =
           ToleranceOf(shown, e, v, channel.interpolation, numbers, p);
       if (!tolerance || !std::isfinite(*tolerance)) return std::nullopt;
@@ -344,7 +330,7 @@ Verdict JudgeFragment(const ShownValues& shown, const ValueFragment& f, ValueJud
 
 std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueFragment& f,
                                           const RayCorners& v, const Channel& channel, int axis,
-                                          const std::array<Point2, 2>& ends, double number) {
+                                          const std::array<Point2, 2>& ends) {
   const std::array<double, 3> a = NumbersAt(f, channel);
   const Interpolation by = channel.interpolation;
   const bool is_of_plane = ends[0] == ends[1];
@@ -373,7 +359,7 @@ std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueF
     tolerance += *growth * *growth * (conditions * u * condition + lost);
     if (is_of_plane) break;
   }
-  return error.ulps * UlpOf(number, shown.precision) + error.absolute + tolerance;
+  return error.absolute + tolerance;
 }
 
 ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners,

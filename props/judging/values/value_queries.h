@@ -98,11 +98,11 @@ std::optional<ValueRange> RangeOf(const ShownValues& shown, const ValueFragment&
                                   const ValueOwners& owners, const Channel& channel,
                                   const std::array<double, 3>& numbers);
 
-/// The most that a derivative of this number may be off: of the plane at a point (both ends are
+/// The most that a derivative may be off beside its ulps: of the plane at a point (both ends are
 /// it), or a difference of the values at both. Nothing where it is not judged, as in RangeOf().
 std::optional<double> DerivativeTolerance(const ShownValues& shown, const ValueFragment& f,
                                           const RayCorners& v, const Channel& channel, int axis,
-                                          const std::array<Point2, 2>& ends, double number);
+                                          const std::array<Point2, 2>& ends);
 
 /// What became of one shown number.
 struct ValueCheck {

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/value_rule.h"
+#include "exact/values.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/judging/values/fragment_queries.h"
 #include "props/judging/values/value_queries.h"
 #include "props/judging/witness.h"
@@ -57,6 +59,14 @@ Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwner
   }
   range->tolerance += RoundingOf(given.rule, range->high);
   if (!range->SurelyExcludes(x)) return Verdict::Held(1);
+  if (owners.known) {  // an estimate acquits; only the exact depth convicts
+    const auto depth = exact::Interpolant(*owners.known, f.place.at)
+                           .Value(channel.interpolation, exact::ToAttribute(z));
+    if (!depth) return Verdict::Held(0);
+    const exact::Rational clamped =
+        DepthStep(given.rule.depth) != 0 ? std::clamp<exact::Rational>(*depth, 0, 1) : *depth;
+    if (CompareWithExact(x, clamped, range->tolerance).within) return Verdict::Held(1);
+  }
   return Verdict::Violated(
       1, "a depth is not next to the exact one in the stated format",
       WitnessAt(f.triangle, -1, f.place, {x}, {range->low, " within ", range->tolerance}));
@@ -83,13 +93,8 @@ extern constinit const Property kDepthsAreOfTheirFormat{
     .required_with_error = kDepthFormatErrorClauses,
     .tolerance = "a step of the format, or half of it, and the depth's own error",
     .domains = kValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kDepths,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = depths_are_of_their_format::kRules,
-             .where = "normalized ones: of a depth clamped to [0, 1]"},
+    .gate = AsksOf(Shows::kDepths, depths_are_of_their_format::kRules,
+                   "normalized ones: of a depth clamped to [0, 1]"),
     .ask = depths_are_of_their_format::Ask,
 };
 

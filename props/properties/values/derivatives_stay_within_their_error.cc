@@ -56,12 +56,8 @@ extern constinit const Property kDerivativesStayWithinTheirError{
         "derivative "
         "or, of a difference, of both its values",
     .domains = kValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kDerivatives,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .where = "known corners; another axis, sign or pixel would give another number"},
+    .gate = AsksOf(Shows::kDerivatives, {},
+                   "known corners; another axis, sign or pixel would give another number"),
     .ask = derivatives_stay_within_their_error::Ask,
 };
 

@@ -47,13 +47,8 @@ extern constinit const Property kEqualValuesStayEqual{
     .clause = "The weights sum to one: of equal numbers the sum is that number.",
     .tolerance = kExact,
     .domains = kValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kValues,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = equal_values_stay_equal::kRules,
-             .where = "equal numbers at all vertices"},
+    .gate =
+        AsksOf(Shows::kValues, equal_values_stay_equal::kRules, "equal numbers at all vertices"),
     .ask = equal_values_stay_equal::Ask,
 };
 

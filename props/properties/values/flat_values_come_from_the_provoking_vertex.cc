@@ -52,13 +52,8 @@ extern constinit const Property kFlatValuesComeFromTheProvokingVertex{
     .required_by = kFlatClauses,
     .tolerance = kExact,
     .domains = kValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kValues,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = flat_values_come_from_the_provoking_vertex::kRules,
-             .where = "three different numbers"},
+    .gate = AsksOf(Shows::kValues, flat_values_come_from_the_provoking_vertex::kRules,
+                   "three different numbers"),
     .ask = flat_values_come_from_the_provoking_vertex::Ask,
 };
 

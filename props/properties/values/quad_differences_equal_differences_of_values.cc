@@ -174,13 +174,8 @@ extern constinit const Property kQuadDifferencesEqualDifferencesOfValues{
     .required_by = kFineDifferenceClauses,
     .tolerance = "two roundings of the difference, and subnormal numbers that are flushed",
     .domains = kValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kDerivatives,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = quad_differences_equal_differences_of_values::kRules,
-             .where = "fine ones: the pixels on both sides show the same triangle"},
+    .gate = AsksOf(Shows::kDerivatives, quad_differences_equal_differences_of_values::kRules,
+                   "fine ones: the pixels on both sides show the same triangle"),
     .ask = quad_differences_equal_differences_of_values::Ask,
 };
 

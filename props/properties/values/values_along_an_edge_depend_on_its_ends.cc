@@ -133,13 +133,8 @@ extern constinit const Property kValuesAlongAnEdgeDependOnItsEnds{
     .clause = "On an edge the weight of the vertex opposite is zero.",
     .tolerance = kExact,
     .domains = kEdgeValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kValues,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = values_along_an_edge_depend_on_its_ends::kRules,
-             .where = "a covered sample on the first edge of its triangle, by known corners"},
+    .gate = AsksOf(Shows::kValues, values_along_an_edge_depend_on_its_ends::kRules,
+                   "a covered sample on the first edge of its triangle, by known corners"),
     .ask = values_along_an_edge_depend_on_its_ends::Ask,
 };
 

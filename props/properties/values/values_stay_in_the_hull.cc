@@ -56,13 +56,8 @@ extern constinit const Property kValuesStayInTheHull{
     .clause = "In the closed triangle the weights are not negative and sum to one.",
     .tolerance = kExact,
     .domains = kValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kValues,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = values_stay_in_the_hull::kRules,
-             .where = "evaluated in the closed triangle; on the screen, in front of the eye"},
+    .gate = AsksOf(Shows::kValues, values_stay_in_the_hull::kRules,
+                   "evaluated in the closed triangle; on the screen, in front of the eye"),
     .ask = values_stay_in_the_hull::Ask,
 };
 

@@ -59,13 +59,8 @@ extern constinit const Property kVerticesKeepTheirValues{
     .clause = "At vertex i the barycentric i is one and the others are zero.",
     .tolerance = kExact,
     .domains = kVertexValueDomains,
-    .gate = {.space = Space::kEither,
-             .shows = Shows::kValues,
-             .contract = ContractNeeded::kNone,
-             .any_owners = true,
-             .unwrapped = true,
-             .rules = vertices_keep_their_values::kRules,
-             .where = "a sample at a vertex of the triangle that it shows"},
+    .gate = AsksOf(Shows::kValues, vertices_keep_their_values::kRules,
+                   "a sample at a vertex of the triangle that it shows"),
     .ask = vertices_keep_their_values::Ask,
 };
 

@@ -1,16 +1,11 @@
 (* Answers requests on a pipe (docs/subjects.md) by the counts that Coverage, extracted from the
-   specifications of window and of clip space, gives. What is written here, and trusted: reading
-   decimals, and multiplying all coordinates by one power of two so that they are integers. *)
+   specifications of window and of clip space, gives; with --values by fragments (values.ml). What
+   is written here, and trusted: reading decimals, and multiplying all coordinates by one power of
+   two so that they are integers. *)
 
 let words line = List.filter (fun w -> w <> "") (String.split_on_char ' ' line)
 
-(* A finite double is digits * 2^exponent. *)
-let decode x =
-  let fraction, exponent = Float.frexp x in
-  if x = 0. then (Z.zero, 0) else (Z.of_float (Float.ldexp fraction 53), exponent - 53)
-
-let scale least (digits, exponent) =
-  if Z.equal digits Z.zero then Z.zero else Z.shift_left digits (exponent - least)
+open Values
 
 (* The triangles whose numbers are all finite, and the counts at the centre of a pixel. *)
 let counts_in_window corners =
@@ -36,33 +31,64 @@ let counts_in_clip corners =
     | [ a; b; c ] -> { Coverage.vertex_a = vertex a; vertex_b = vertex b; vertex_c = vertex c }
     | _ -> failwith "a triangle has three corners" in
   let surface = List.map face corners in
-  (* The ray through the centre of a pixel, times two. *)
-  let ray i j = { Coverage.vx = Z.of_int ((2 * i) + 1); vy = Z.of_int ((2 * j) + 1); vw = Z.of_int 2 } in
   fun i j -> Coverage.seen_counts surface (ray i j)
 
-let draw id width height space vertices triangles =
-  let finite = List.filter (List.for_all (fun k -> List.for_all Float.is_finite vertices.(k))) triangles in
-  let corners = List.map (List.map (fun k -> List.map decode vertices.(k))) finite in
-  let counts = (if space = "clip" then counts_in_clip else counts_in_window) corners in
-  print_string ("counts " ^ id ^ "\n");
+(* What is said of each sample, row by row. *)
+let answer head width height said =
+  print_string (head ^ "\n");
   for j = 0 to height - 1 do
-    print_string (String.concat " " (List.init width (fun i -> Z.to_string (counts i j))) ^ "\n")
+    print_string (String.concat " " (List.init width (fun i -> said i j)) ^ "\n")
   done;
   flush stdout
+
+let draw_counts id width height space vertices triangles =
+  let place k = match vertices.(k) with
+    | [ x; y; _; w ] -> if space = "clip" then [ x; y; w ] else [ x; y ]
+    | _ -> failwith "a vertex has four coordinates" in
+  let is_finite k = List.for_all Float.is_finite (place k) in
+  let finite = List.filter (List.for_all is_finite) triangles in
+  let corners = List.map (List.map (fun k -> List.map decode (place k))) finite in
+  let counts = (if space = "clip" then counts_in_clip else counts_in_window) corners in
+  answer ("counts " ^ id) width height (fun i j -> Z.to_string (counts i j))
+
+let draw_values id width height space vertices triangles channels wants =
+  let numbered = List.mapi (fun n ids -> (n, corners space vertices ids)) triangles in
+  let sample = sample space numbered channels wants in
+  if wants = [ "coverage" ] then
+    answer ("counts " ^ id) width height (fun i j -> if sample i j = [ "-1" ] then "0" else "1")
+  else
+    let kind = if wants = [ "primitive-ids" ] then "primitive-ids " else "fragments " in
+    answer (kind ^ id) width height (fun i j -> String.concat " " (sample i j))
+
+(* With --values, fragments are shown. *)
+let shows_values = Array.mem "--values" Sys.argv
+
+(* The words after NAME= of a request's line, by commas. *)
+let option name default options =
+  let prefix = name ^ "=" in
+  match List.find_opt (String.starts_with ~prefix) options with
+  | None -> default
+  | Some word ->
+    let from = String.length prefix in
+    String.split_on_char ',' (String.sub word from (String.length word - from))
 
 let () =
   try
     while true do
       match words (read_line ()) with
-      | "draw" :: id :: width :: height :: _ :: space :: vertices :: triangles :: _ ->
+      | "draw" :: id :: width :: height :: _ :: space :: vertices :: triangles :: options ->
         let read f = f (words (read_line ())) in
-        let numbers = function
-          | x :: y :: _ :: w :: _ ->
-            List.map float_of_string (if space = "clip" then [ x; y; w ] else [ x; y ])
-          | _ -> failwith "vertex" in
-        let v = Array.init (int_of_string vertices) (fun _ -> read numbers) in
-        let t = List.init (int_of_string triangles) (fun _ -> read (List.map int_of_string)) in
-        draw id (int_of_string width) (int_of_string height) space v t
+        let lines count f = List.init (int_of_string count) (fun _ -> read f) in
+        let v = Array.of_list (lines vertices (List.map float_of_string)) in
+        let channels = lines (List.hd (option "channels" [ "0" ] options)) (function
+          | _ :: kind :: _ :: numbers -> (kind, Array.of_list (List.map float_of_string numbers))
+          | _ -> failwith "channel") in
+        let t = lines triangles (List.map int_of_string) in
+        let width, height = (int_of_string width, int_of_string height) in
+        if shows_values then
+          draw_values id width height space v t channels
+            (option "wants" [ "primitive-ids"; "barycentrics"; "depths" ] options)
+        else draw_counts id width height space v t
       | _ -> failwith "not a request"
     done
   with End_of_file -> ()

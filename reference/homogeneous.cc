@@ -176,7 +176,7 @@ Method Row(std::string_view name, std::string_view summary, Precision input, con
 }
 
 // What float32 holds goes to the kernel of clip space: the same signs, many rows at a time.
-bool DrawWhole(const Scene& scene, const RasterOptions& options, CoverageCounts& counts) {
+bool DrawWholeFromClip(const Scene& scene, const RasterOptions& options, CoverageCounts& counts) {
   if (!KernelsPay(scene) || !ClipKernelTakes(scene)) return false;
   DrawByClipKernel(scene, options, counts);
   return true;
@@ -202,7 +202,7 @@ std::array<Method, 5> MakeRows() {
   for (std::size_t k = 1; k < rows.size(); ++k) rows[k].info.proofs = HomogeneousProofs();
   rows.back().info.states_exact = true;
   rows.back().info.proofs.push_back(ClipKernelProof());
-  rows.back().whole = &DrawWhole;
+  rows.back().whole = &DrawWholeFromClip;
   return rows;
 }
 

@@ -9,7 +9,7 @@
 namespace rasterproof::props {
 namespace {
 
-__extension__ using Wide = unsigned __int128;
+__extension__ using UInt128 = unsigned __int128;
 
 // Extra bits in a draw by multiplication: with n choices and 8 bits more than n needs, no choice is
 // more than 2^-8 likelier than another, and a fuzzer spends at most two bytes on a small choice.
@@ -25,7 +25,7 @@ std::int64_t BitSource::Int(std::int64_t low, std::int64_t high) {
   const int count = std::min(64, std::has_single_bit(choices) ? needed : needed + kSpareBits);
   const std::uint64_t bits = Bits(count);
   if (choices == 0) return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + bits);
-  const auto chosen = static_cast<std::uint64_t>((Wide{bits} * choices) >> count);
+  const auto chosen = static_cast<std::uint64_t>((UInt128{bits} * choices) >> count);
   return static_cast<std::int64_t>(static_cast<std::uint64_t>(low) + chosen);
 }
 

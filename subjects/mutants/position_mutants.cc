@@ -21,7 +21,7 @@ FixedStages SamplesOff(std::int64_t x, std::int64_t y) {
 
 FixedStages Snapping(double (*snap)(double x, bool along_y)) { return {{.snap = snap}}; }
 
-std::vector<Mutant> Samples() {
+std::vector<Mutant> SubpixelSamples() {
   const auto four_samples = [](GridPoint (*sample)(const Sample&)) {
     return FixedStages{{.sample = sample}, FourSampleProfile()};
   };
@@ -133,7 +133,7 @@ Profile FourSampleProfile() {
 }
 
 std::vector<Mutant> PositionMutants() {
-  std::vector<Mutant> table = Samples();
+  std::vector<Mutant> table = SubpixelSamples();
   for (Mutant& planted : Snaps()) table.push_back(std::move(planted));
   return table;
 }

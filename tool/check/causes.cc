@@ -24,7 +24,7 @@ std::string Suspected(const Cause& cause) {
   return text + fmt::format(", or one of {} others", cause.what.size() - kMostNamed);
 }
 
-std::string Found(const Cause& cause, const props::Causes& causes) {
+std::string FoundText(const Cause& cause, const props::Causes& causes) {
   switch (cause.kind) {
     case CauseKind::kModel:
       return fmt::format("your answers equal those of {} ({} of {} draws)", Suspected(cause),
@@ -71,7 +71,7 @@ std::string Found(const Cause& cause, const props::Causes& causes) {
 std::string NameOfCause(const Cause& cause) { return cause.name.empty() ? "none" : cause.name; }
 
 std::string CauseText(const Cause& cause, const props::Causes& causes) {
-  std::string text = Found(cause, causes);
+  std::string text = FoundText(cause, causes);
   if (!cause.only_with.empty())
     text += fmt::format("; it fails only with {}", fmt::join(cause.only_with, " and "));
   if (!cause.pattern.empty()) text += "; every wrong sample " + cause.pattern;

@@ -200,7 +200,7 @@ class Installed(unittest.TestCase):
             with tempfile.TemporaryDirectory() as folder:
                 with open(os.path.join(folder, "CMakeLists.txt"), "w", encoding="utf-8") as file:
                     file.write("cmake_minimum_required(VERSION 3.25)\nproject(x LANGUAGES CXX)\n"
-                               f"find_package(rasterproof 0.1 REQUIRED COMPONENTS {wanted})\n")
+                               f"find_package(rasterproof 0.2 REQUIRED COMPONENTS {wanted})\n")
                 done = self.configure(folder, os.path.join(folder, "build"))
             self.assertEqual(done.returncode == 0, said is None, done.stderr)
             self.assertIn(said or "", " ".join(done.stderr.split()))

@@ -141,8 +141,11 @@ TEST_P(PulledTest, ChecksAsARunDoes) {
   PulledEngine engine(far.Info(), {20'000, std::size_t{1} << 27U});
   std::vector<const PulledCheck*> checks;
   std::vector<const Property*> properties;
+  // Sanitized, each property of one of the subjects.
+  constexpr std::size_t kEvery = kOneCaseIn > 1 ? 3 : 1;
+  std::size_t number = GetParam().size();
   for (const Property& property : Catalog()) {
-    if (property.is_about_sequence || property.takes_long) continue;
+    if (property.is_about_sequence || property.takes_long || number++ % kEvery != 0) continue;
     properties.push_back(&property);
     checks.push_back(&engine.Add(std::make_unique<PulledCheck>(property, FewOptions())));
   }

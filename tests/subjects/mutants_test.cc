@@ -129,7 +129,7 @@ TEST(Mutants, OfLegalSetsAreFoundByTheirKillersAndTheirTwinsHold) {
 // Two cases of each property; selftest runs hundreds.
 TEST(LegalVariants, KeepTheirProfilesInASample) {
   const std::uint64_t cases = RunsMore() ? 6 : Cases<std::uint64_t>(2);
-  constexpr std::size_t kEvery = kOneCaseIn > 1 ? 8 : 1;
+  constexpr std::size_t kEvery = kOneCaseIn;
   std::size_t number = 0;
   for (const MutantInfo& variant : Mutants()) {
     if (!variant.legal || number++ % kEvery != 0) continue;

@@ -76,10 +76,13 @@ std::vector<Trial> ExpectTheSameVerdicts(FakeSubject outside, const Property& pr
 
 TEST(Batches, GiveTheVerdictsOfSingleDraws) {
   constexpr std::uint64_t kCases = Cases<std::uint64_t>(20);
+  // Sanitized, one of the kinds for most properties: four has no divisor in common with three.
+  constexpr std::size_t kEvery = kOneCaseIn > 1 ? 4 : 1;
+  std::size_t number = 0;
   for (const Property& property : Catalog()) {
     for (const CoverageKind kind :
          {CoverageKind::kFacingCounts, CoverageKind::kCounts, CoverageKind::kMask}) {
-      if (!HasADomain(property, testing::RealInfo())) continue;
+      if (!HasADomain(property, testing::RealInfo()) || number++ % kEvery != 0) continue;
       ExpectTheSameVerdicts(Make(kind, false), property, kCases);
       ExpectTheSameVerdicts(Make(kind, true), property, kCases);
     }

@@ -264,7 +264,9 @@ TEST(PulledEngine, ShrinksAsReplayDoes) {
 }
 
 TEST(PulledEngine, InfersAsInferDoes) {
-  for (const char* name : {"spans-exact", "mutant:ties-inclusive"}) {
+  for (const std::string name : {"spans-exact", "mutant:ties-inclusive"}) {
+    // Sanitized, SaysThatAnAnswerChanged draws what the mutant is asked for.
+    if (kOneCaseIn > 1 && name != "spans-exact") continue;
     SCOPED_TRACE(name);
     AtAFarEnd far(name);
     PulledEngine engine(far.Info());

@@ -5,11 +5,15 @@ import shutil
 import subprocess
 import tempfile
 
+# WebGL2 and WebGPU without a GPU.
+SWIFTSHADER = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu",
+               "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan")  # fmt: skip
+
 
 class Browser:
     """A page in its own browser. Every command waits for its answer."""
 
-    def __init__(self, program):
+    def __init__(self, program, flags=("--disable-gpu",)):
         self.folder = tempfile.mkdtemp(prefix="browser-")
         to_browser, self.to_browser = os.pipe()
         self.from_browser, from_browser = os.pipe()
@@ -17,7 +21,7 @@ class Browser:
         # root; the page is our own file.
         self.process = subprocess.Popen(
             ["sh", "-c", f'exec "$@" 3<&{to_browser} 4>&{from_browser}', "sh", program,
-             "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+             "--headless", "--no-sandbox", *flags, "--disable-dev-shm-usage",
              "--remote-debugging-pipe", "--no-first-run", f"--user-data-dir={self.folder}",
              "about:blank"],
             pass_fds=(to_browser, from_browser), stdin=subprocess.DEVNULL,

@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""The drawers of the page prove themselves in headless Chromium, on SwiftShader, and refuse what
+they can't be believed in; all other planted faults reach the engine.
+
+usage: drawers_test.py SOURCE_FOLDER CHROMIUM
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+SOURCES, CHROMIUM = pathlib.Path(sys.argv[1]), sys.argv[2]
+sys.path.insert(0, str(SOURCES / "tests" / "tool"))
+from browser import SWIFTSHADER, Browser  # noqa: E402
+
+APIS = ("webgpu", "webgl2")
+REFUSED = {
+    "saturating": "miscounted",
+    "lying-read-back": "read back is not what the target was cleared to",
+}
+# WebGL2 has no standard places of samples: there they are recorded.
+REFUSED_OF_4_IN_WEBGPU = {"second-sample-misplaced": "do not lie at the standard places"}
+
+
+class Drawers(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        page = pathlib.Path(cls.folder.name) / "passport.html"
+        plants = SOURCES / "tests" / "web" / "page" / "plants.mjs"
+        subprocess.run([sys.executable, SOURCES / "web" / "page" / "build.py", page,
+                        "--plants", plants], check=True)  # fmt: skip
+        cls.browser = Browser(CHROMIUM, SWIFTSHADER)
+        cls.browser.open(page.as_uri(), 1280)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def value(self, body):
+        """What the body of a function returns whose names are the page's modules."""
+        return self.browser.value(f"""(async () => {{
+          const {{drawer, webgpu, webgl2, self_proof, plants}} = rasterproof.modules;
+          {body}
+        }})()""")
+
+    def proof(self, api, samples, plant=None, options="{}"):
+        language = "wgsl" if api == "webgpu" else "glsl"
+        given = f'plants.plants("{language}")["{plant}"]' if plant else "{}"
+        return self.value(f"""
+          const opened = await {api}.open({{...{options}, plant: {given}}});
+          const record = await self_proof.prove(opened, {samples});
+          opened.close();
+          return {{...record, info: opened.info}};""")
+
+    def test_swiftshader_proves_itself(self):
+        for api in APIS:
+            for samples in (1, 4):
+                record = self.proof(api, samples)
+                self.assertTrue(record["passed"], record)
+                checks = {check["name"]: check for check in record["checks"]}
+                self.assertEqual(record["info"]["viewport"],
+                                 {"kind": "centred", "reach": 4096, "error": 0})  # fmt: skip
+                self.assertTrue(checks["places"]["standard"], checks)
+                self.assertEqual((checks["vertices"]["subnormals"], checks["vertices"]["nan"]),
+                                 ("kept", "kept"))  # fmt: skip
+                ceiling = 512 if (api, samples) == ("webgl2", 4) else 2048
+                self.assertIn(f"up to {ceiling}", checks["counting"]["said"])
+        self.assertEqual(self.proof("webgl2", 1)["info"]["subpixelBits"], 4)
+
+    def test_other_formats_and_viewports_prove_themselves(self):
+        for form, ceiling in (("rgba8", 255), ("r32f", 2**24)):
+            record = self.proof("webgl2", 1, options=f'{{format: "{form}"}}')
+            self.assertTrue(record["passed"], record)
+            self.assertIn(f"up to {ceiling}", record["checks"][1]["said"])
+        for api in APIS:
+            record = self.proof(api, 1, options='{viewport: "ordinary"}')
+            self.assertTrue(record["passed"], record)
+            self.assertGreater(record["info"]["viewport"]["error"], 0)
+
+    def test_what_cannot_be_believed_is_refused_and_the_rest_reaches_the_engine(self):
+        names = self.value('return Object.keys(plants.plants("wgsl"))')
+        self.assertEqual(len(names), 8)
+        for api in APIS:
+            for samples in (1, 4):
+                refused = dict(REFUSED)
+                if (api, samples) == ("webgpu", 4):
+                    refused |= REFUSED_OF_4_IN_WEBGPU
+                for name in names:
+                    with self.subTest(api=api, samples=samples, plant=name):
+                        record = self.proof(api, samples, name)
+                        self.assertEqual(record["passed"], name not in refused, record)
+                        self.assertIn(refused.get(name, ""), record["reason"] or "")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

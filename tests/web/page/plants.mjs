@@ -1,0 +1,44 @@
+/**
+ * Faults of rasterizers for tests to plant into a drawer; `language` is "wgsl" or "glsl". Pictures
+ * without a fault come out as they are.
+ */
+
+const everyOther = (rest) => (triangle) => triangle % 2 === rest;
+
+/** Changes of a clip-space position `p`; `unit` is a pixel. */
+const moved = (x, y) => `p.x += float(${x}) * unit * p.w; p.y += float(${y}) * unit * p.w;`;
+const SEVEN_BITS = "p.x = round(p.x / unit * 128.0) / 128.0 * unit;";
+/* One rounding instead of two on one side of an edge, made large enough to be seen at 4 bits. */
+const FUSED = "p.x = (p.x / unit + 0.0001) * unit;";
+
+/** @returns {Object<string, import("../../../web/page/drawer.mjs").Plant>} */
+export function plants(language) {
+  const text = (glsl) => language === "wgsl" ? glsl.replaceAll("float(", "f32(") : glsl;
+  let drawn = 0;
+  return {
+    "half-pixel-shift": {passes: () => [{position: text(moved("0.5", "0.0"))}]},
+    "diagonal-twice": {
+      passes: () => [
+        {select: everyOther(0)},
+        {select: everyOther(1), position: text(moved("-0.0625", "0.0"))},
+      ],
+    },
+    "one-side-fused": {
+      passes: () => [{select: everyOther(0)}, {select: everyOther(1), position: FUSED}],
+    },
+    "seven-bits": {passes: () => [{position: SEVEN_BITS}]},
+    "second-sample-misplaced": {
+      passes: (_, {samples = 1}) => samples === 1 ? [{}] : [
+        {mask: 0b1101},
+        {mask: 0b0010, position: text(moved("0.25", "0.0"))},
+      ],
+    },
+    "every-1000th-lost": {passes: () => [{select: () => ++drawn % 1000 !== 0}]},
+    "saturating": {blend: "max"},
+    "lying-read-back": {
+      read: (values) => {
+        for (let k = 37; k < values.length; k += 101) values[k] = Math.max(0, values[k] ^ 1);
+      },
+    },
+  };
+}

@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+"""Builds passport.html: the modules of this folder as one file that asks for nothing else.
+
+usage: build.py OUTPUT [--engine FILE.mjs] [--plants FILE.mjs]
+--plants: faults for tests to plant; no page that is shipped has them.
+"""
+import argparse
+import base64
+import hashlib
+import pathlib
+import re
+
+FOLDER = pathlib.Path(__file__).resolve().parent
+# In order: each sees those before it.
+MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "engine", "plants", "session")
+IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.mjs";\n', re.M)
+EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.M)
+
+
+def module(name, path):
+    """A module as an expression in a function: what it exports is its object's."""
+    text = path.read_text(encoding="utf-8")
+    text = IMPORT.sub(lambda found: f"const {{{found[1]}}} = {found[2]};\n", text)
+    names = ", ".join(EXPORT.findall(text))
+    text = EXPORT.sub("", text)
+    return f"const {name} = (() => {{\n{text}\nreturn {{{names}}};\n}})();\n"
+
+
+def script(engine, plants):
+    paths = {name: FOLDER / f"{name}.mjs" for name in MODULES}
+    paths |= {"engine": engine, "plants": plants}
+    bodies = "".join(module(name, path) for name, path in paths.items() if path)
+    named = ", ".join(name for name, path in paths.items() if path)
+    page = (FOLDER / "page.mjs").read_text(encoding="utf-8")
+    # One function: the page calls it where a worker can't have a GPU, else a worker is made of it.
+    return f'"use strict";\nfunction modules() {{\n{bodies}return {{{named}}};\n}}\n{page}'
+
+
+def build(engine, plants):
+    text = script(engine, plants)
+    digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+    html = (FOLDER / "page.html").read_text(encoding="utf-8")
+    style = (FOLDER / "page.css").read_text(encoding="utf-8")
+    for name, value in (("SCRIPT-HASH", digest), ("STYLE", style), ("SCRIPT", text)):
+        html = html.replace("{{" + name + "}}", value)
+    return html
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("output", type=pathlib.Path)
+    parser.add_argument("--engine", type=pathlib.Path, default=FOLDER / "stub_engine.mjs")
+    parser.add_argument("--plants", type=pathlib.Path)
+    options = parser.parse_args()
+    options.output.write_text(build(options.engine, options.plants), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+const modulesOfPage = modules(); globalThis.rasterproof = {modules: modulesOfPage};

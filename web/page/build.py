@@ -14,13 +14,19 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 # In order: each sees those before it.
 MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "engine", "plants", "session")
 IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.mjs";\n', re.M)
+RENAMED = re.compile(r"(\w+) as (\w+)")
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.M)
+
+
+def imported(found):
+    names = RENAMED.sub(r"\1: \2", found[1])
+    return f"const {{{names}}} = {found[2]};\n"
 
 
 def module(name, path):
     """A module as an expression in a function: what it exports is its object's."""
     text = path.read_text(encoding="utf-8")
-    text = IMPORT.sub(lambda found: f"const {{{found[1]}}} = {found[2]};\n", text)
+    text = IMPORT.sub(imported, text)
     names = ", ".join(EXPORT.findall(text))
     text = EXPORT.sub("", text)
     return f"const {name} = (() => {{\n{text}\nreturn {{{names}}};\n}})();\n"
@@ -40,7 +46,8 @@ def build(engine, plants):
     text = script(engine, plants)
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
     html = (FOLDER / "page.html").read_text(encoding="utf-8")
-    style = (FOLDER / "page.css").read_text(encoding="utf-8")
+    styles = (FOLDER.parent.parent / "report" / "page.css", FOLDER / "page.css")
+    style = "".join(path.read_text(encoding="utf-8") for path in styles)
     for name, value in (("SCRIPT-HASH", digest), ("STYLE", style), ("SCRIPT", text)):
         html = html.replace("{{" + name + "}}", value)
     return html

@@ -1,1 +1,321 @@
-const modulesOfPage = modules(); globalThis.rasterproof = {modules: modulesOfPage};
+/* The page's side of a run: what it shows, and where the worker comes from. */
+const byId = (id) => document.getElementById(id);
+const KEPT = "rasterproof-run";
+const PROOF_NAMES = {
+  readBack: "Read-back", counting: "Counting", vertices: "Vertices", addressing: "Samples, one by one",
+  places: "Places of the samples",
+};
+
+let run = null;  // what was asked, and what came of it
+let port = null;  // where messages go
+
+/** An element with a text, or with what it holds. */
+function made(name, held, attributes = {}) {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...[held].flat());
+  return element;
+}
+
+function show(section, lists) {
+  byId(section).hidden = false;
+  for (const [id, children] of Object.entries(lists)) byId(id).replaceChildren(...children);
+}
+
+const facts = (pairs) => pairs.flatMap(([name, text]) => [made("dt", name), made("dd", text)]);
+const chip = (outcome) => made("span", outcome, {class: `chip ${chipClass(outcome)}`});
+
+function chipClass(outcome) {
+  return ["holds", "violated"].includes(outcome) ? outcome : "idle";
+}
+
+function setState(state, status) {
+  document.body.dataset.state = state;
+  byId("status").textContent = status;
+  const isRunning = state === "running" || state === "paused";
+  byId("start").disabled = isRunning;
+  byId("stop").disabled = !isRunning;
+  byId("resume").disabled = isRunning || !kept();
+}
+
+/** A run that was left, if the browser lets pages of this address keep anything. */
+function kept() {
+  try {
+    return JSON.parse(localStorage.getItem(KEPT));
+  } catch {
+    return null;
+  }
+}
+
+function keep(bytes) {
+  try {
+    if (!bytes) return localStorage.removeItem(KEPT);
+    localStorage.setItem(KEPT, JSON.stringify({asked: run.asked, saved: base64(bytes)}));
+  } catch {
+    // Then this run can't be resumed.
+  }
+}
+
+const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+const bytesOf = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+
+function showDevice({info}) {
+  const adapter = Object.values(info.adapter).filter((name) => typeof name === "string");
+  const {kind, reach, error} = info.viewport;
+  const viewport = kind === "centred" ?
+      `centred, within ${reach} pixels: corners arrive exactly` :
+      `ordinary: a corner may arrive ${error} pixels off, in 256 x 256`;
+  show("device", {"proof": [], "device-facts": facts([
+    ["Adapter", adapter.join(" · ") || "not said"],
+    ["Subpixel bits, as it says", info.subpixelBits === null ? "not said" : info.subpixelBits],
+    ["Counts exactly to", info.ceiling],
+    ["Viewport", viewport],
+    ["Limits", Object.entries(info.limits).map(([name, n]) => `${name} ${n}`).join(", ")],
+    ["The browser hides", info.hidden.join(", ") || "nothing"],
+  ])});
+}
+
+function showProof({record}) {
+  byId("proof").replaceChildren(...record.checks.map((check) => {
+    const more = ["subnormals", "nan"].filter((key) => check[key])
+        .map((key) => `; ${key === "nan" ? "NaN" : key} ${check[key]}`).join("");
+    const outcome = check.passed ? "holds" : "inconclusive";
+    return made("li", [chip(outcome), `${PROOF_NAMES[check.name]}: ${check.said ?? check.reason}${more}`]);
+  }));
+}
+
+function svg(name, attributes, children = []) {
+  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  element.append(...children);
+  return element;
+}
+
+/** Counts as squares, one a sample; those that differ from the others' are framed. */
+function figure(title, counts, others, {width, height, samples}, at) {
+  const across = samples === 1 ? 1 : 2;
+  const cells = [];
+  counts.forEach((count, k) => {
+    const [pixel, s] = [Math.floor(k / samples), k % samples];
+    const x = across * (pixel % width) + (s % across);
+    const y = across * Math.floor(pixel / width) + Math.floor(s / across);
+    const place = {x, y, width: 1, height: 1};
+    cells.push(svg("rect", {...place, class: count > 1 ? "more" : `n${count}`}));
+    if (count === others[k]) return;
+    cells.push(svg("rect", {...place, class: k === at ? "differs first" : "differs"}));
+  });
+  // Frames last: the next square would cover half of them.
+  cells.sort((a, b) => a.getAttribute("class").startsWith("differs") -
+                       b.getAttribute("class").startsWith("differs"));
+  const differing = counts.filter((count, k) => count !== others[k]).length;
+  const picture = svg("svg", {
+    viewBox: `0 0 ${across * width} ${across * height}`, role: "img",
+    "aria-label": `${title}: ${width} x ${height} pixels, ${differing} samples differ`,
+  }, cells);
+  return made("figure", [made("figcaption", title), picture]);
+}
+
+function showFailure({message, pixel, sample, expected, actual, picture}) {
+  const where = pixel ? ` First at pixel (${pixel.join(", ")}), sample ${sample ?? 0}: ` +
+      `expected ${expected}, drawn ${actual}.` : "";
+  show("failure", {"pictures": [], "edges": [], "failure-said": [`${message}.${where}`]});
+  if (!picture) return;
+  const at = (pixel[1] * picture.width + pixel[0]) * picture.samples + (sample ?? 0);
+  byId("pictures").append(
+      figure("Expected", picture.expected, picture.actual, picture, at),
+      figure("Drawn", picture.actual, picture.expected, picture, at));
+  const key = "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs.";
+  byId("edges").append(made("p", key, {class: "why"}), ...picture.edges.map(
+      ({triangle, values}) => made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`))));
+}
+
+function showResult({result}) {
+  const [subject] = result.subjects;
+  const {model, failures, properties, unasked} = subject;
+  if (model) {
+    show("model", {"model-facts": facts([
+      ["Subpixel bits", model.subpixelBits.join(" or ")],
+      ["Snap", model.snap.join(" or ")],
+      ["Samples on edges", model.ties],
+    ])});
+  }
+  const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
+  show("verdicts", {"verdict-rows": properties.map((one) => made("tr", [
+    made("th", made("span", one.property, {class: "name"}), {scope: "row"}),
+    made("td", chip(one.outcome)),
+    made("td", one.cases, {class: "number"}),
+    made("td", clauses.get(one.property) ?? one.message),
+  ]))});
+  if (failures.length > 0) showFailure(failures[0]);
+  const rows = unasked.map(({what, why}) => made("li", `${what}: ${why}`));
+  show("unasked", {"unasked-rows": rows.length > 0 ? rows : [made("li", "nothing")]});
+}
+
+const SENTENCES = {
+  holds: "No sentence of the specification that was asked of this device is broken.",
+  violated: "This device breaks what its specification says.",
+  inconclusive: "This device was not judged.",
+};
+
+function showDone(message) {
+  const {outcome, reason, result, losses, pauses, draws, milliseconds} = message;
+  run.done = message;
+  keep(null);
+  byId("verdict").replaceChildren(chip(outcome), ` ${SENTENCES[outcome]}`);
+  if (result) showResult(message);
+  show("run", {"run-facts": facts([
+    ["Cases", `${run.asked.cases} of ${run.asked.api}, ${run.asked.samples} samples a pixel`],
+    ["Seed", run.asked.seed],
+    ["Draws", draws],
+    ["Time", `${(milliseconds / 1000).toFixed(1)} s`],
+    ["Interrupted", `${losses} losses of the device, ${pauses} times hidden`],
+  ])});
+  setState("done", reason ? `Inconclusive: ${reason}.` : "Done.");
+}
+
+const RECEIVE = {
+  device(message) {
+    run.info = message.info;
+    showDevice(message);
+  },
+  proof(message) {
+    run.proof = message.record;
+    showProof(message);
+  },
+  progress({done, of, draws}) {
+    byId("progress").max = of;
+    byId("progress").value = done;
+    if (document.body.dataset.state === "running") {
+      byId("status").textContent = `${done} of ${of} cases judged, ${draws} draws.`;
+    }
+  },
+  saved: ({bytes}) => keep(bytes),
+  stopped({bytes}) {
+    keep(bytes);
+    setState("stopped", "Stopped. Resume goes on where it was.");
+  },
+  done: showDone,
+};
+
+/** Where a run goes: a worker with a GPU, else this page. */
+async function connect(api) {
+  const probe = api === "webgpu" ? "!!(self.navigator && navigator.gpu)" :
+      "!!(self.OffscreenCanvas && new OffscreenCanvas(1, 1).getContext('webgl2'))";
+  const text = `postMessage(${probe}); const {session, plants} = (${modules})();` +
+      "session.serve((listener) => { onmessage = ({data}) => listener(data); }," +
+      `(message) => postMessage(message), (${planted})(plants));`;
+  try {
+    const url = URL.createObjectURL(new Blob([text], {type: "text/javascript"}));
+    const worker = new Worker(url);
+    const hasGpu = await new Promise((resolve) => {
+      worker.onmessage = ({data}) => resolve(data);
+      worker.onerror = () => resolve(false);
+    });
+    URL.revokeObjectURL(url);
+    if (hasGpu) {
+      worker.onmessage = ({data}) => RECEIVE[data.type](data);
+      worker.onerror = ({message}) => setState("done", `Inconclusive: ${message}.`);
+      return {where: "worker", post: (message) => worker.postMessage(message),
+        end: () => worker.terminate()};
+    }
+    worker.terminate();
+  } catch {
+    // Workers of blobs may be forbidden.
+  }
+  let tell;
+  const here = modules();
+  here.session.serve((listener) => { tell = listener; },
+      (message) => RECEIVE[message.type](message), planted(here.plants));
+  return {where: "page", post: (message) => tell(message), end() {}};
+}
+
+/* Only a page that is built for tests has plants. */
+const planted = (plants) => (name, api) => {
+  return plants?.plants(api === "webgpu" ? "wgsl" : "glsl")[name];
+};
+
+async function start(asked, saved) {
+  port?.end();
+  run = {asked};
+  for (const id of ["device", "model", "verdicts", "failure", "unasked", "run"]) {
+    byId(id).hidden = true;
+  }
+  byId("verdict").textContent = "Asking this device …";
+  byId("progress").value = 0;
+  setState("running", "The drawer proves itself first.");
+  port = await connect(asked.api);
+  run.where = port.where;
+  port.post({type: "start", ...asked, ...(saved && {saved})});
+  if (document.hidden) hide();
+}
+
+function hide() {
+  if (document.body.dataset.state === "running" && document.hidden) {
+    port?.post({type: "pause"});
+    setState("paused", "Paused while the page is hidden.");
+  } else if (document.body.dataset.state === "paused" && !document.hidden) {
+    port.post({type: "go"});
+    setState("running", "Going on.");
+  }
+}
+
+/** All that a reader needs to derive the verdict again. */
+function certificate() {
+  const {asked, info, proof, where, done} = run;
+  const {bytes, ...rest} = done;
+  const saved = bytes && base64(bytes);
+  return {rasterproof_passport: 1, asked, where, browser: navigator.userAgent, info, proof, ...rest, saved};
+}
+
+function reportText() {
+  const {asked, info, done} = run;
+  const failure = done.result?.subjects[0].failures[0];
+  const lines = [
+    `Rasterizer passport: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`,
+    `Device: ${JSON.stringify(info?.adapter)}; ${navigator.userAgent}`,
+    `Asked: ${asked.cases} cases, ${asked.api}, ${asked.samples} samples a pixel, seed ${asked.seed}`,
+  ];
+  if (failure) {
+    lines.push(`${failure.property}: ${failure.message}`,
+        `at pixel (${failure.pixel}): expected ${failure.expected}, drawn ${failure.actual}`,
+        "```json", JSON.stringify(failure.case), "```");
+  }
+  return lines.join("\n");
+}
+
+function save() {
+  const blob = new Blob([JSON.stringify(certificate(), null, 1)], {type: "application/json"});
+  const link = made("a", "", {download: "passport.json", href: URL.createObjectURL(blob)});
+  link.click();
+  URL.revokeObjectURL(link.href);
+}
+
+async function copy() {
+  try {
+    await navigator.clipboard.writeText(reportText());
+    byId("status").textContent = "Copied.";
+  } catch {
+    const text = made("textarea", reportText(), {rows: 8, "aria-label": "Text for a bug report"});
+    byId("copy").replaceWith(text);
+    text.select();
+  }
+}
+
+byId("ask").addEventListener("submit", (event) => {
+  event.preventDefault();
+  const {api, samples, cases, seed} = Object.fromEntries(new FormData(event.target));
+  start({api, samples: Number(samples), cases: Number(cases), seed: Number(seed)});
+});
+byId("stop").addEventListener("click", () => port?.post({type: "stop"}));
+byId("resume").addEventListener("click", () => {
+  const left = kept();
+  if (left) start(left.asked, bytesOf(left.saved));
+});
+byId("save").addEventListener("click", save);
+byId("copy").addEventListener("click", copy);
+document.addEventListener("visibilitychange", hide);
+if (kept()) setState("idle", "A run was left before its end: Resume goes on where it was.");
+// For tests, and for whoever wants to look from the console.
+globalThis.rasterproof = {
+  modules, start, certificate, reportText, tell: (type) => port.post({type}),
+};

@@ -1,1 +1,195 @@
-export function serve() {}
+/**
+ * A run: opens a drawer, has it prove itself, and takes draws from the engine to it. It lives in
+ * the worker, or in the page where a worker has no GPU, and speaks by messages.
+ *
+ * In: {type: "start", api, samples, cases, seed, [saved], [plant]}, "pause", "go", "stop"; for
+ * tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress" {done, of,
+ * draws, milliseconds} and "saved" {bytes} in turn, and at last "stopped" {bytes} or "done"
+ * {outcome, reason, result, losses, pauses, draws, milliseconds, bytes}.
+ */
+import {LostError} from "./drawer.mjs";
+import {open as openWebGl2} from "./webgl2.mjs";
+import {open as openWebGpu} from "./webgpu.mjs";
+import {prove} from "./self_proof.mjs";
+import {Engine} from "./engine.mjs";
+
+const OPENERS = {webgl2: openWebGl2, webgpu: openWebGpu};
+const OUTCOMES = {0: "holds", 1: "violated", 4: "inconclusive"};
+/* Long enough for a GPU to be busy, short enough for watchdogs and for a button to be heard. */
+const BATCH_MILLISECONDS = 30;
+const SAVE_MILLISECONDS = 1000;
+
+/** Lets messages in. No timer: those of hidden tabs stand still. */
+function turn() {
+  return new Promise((resolve) => {
+    const {port1, port2} = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}
+
+/** The scene of a request. All its numbers are float32 ones: the engine was told so. */
+function sceneOf({width, height, samples, vertices, triangles}) {
+  const points = new Float32Array(vertices.length / 2);
+  for (let k = 0; k < points.length; ++k) points[k] = vertices[4 * (k >> 1) + (k & 1)];
+  return {width, height, samples, vertices: points, triangles: Uint32Array.from(triangles)};
+}
+
+/**
+ * Facing counts as the engine takes them. A picture with y upwards is taken as its mirror image
+ * with y downwards, in which front is back.
+ */
+function facingCounts({front, back}, yAxis) {
+  const [first, second] = yAxis === "down" ? [front, back] : [back, front];
+  const counts = new Int32Array(2 * first.length);
+  counts.set(first);
+  counts.set(second, first.length);
+  return counts;
+}
+
+class Session {
+  #post;
+  #asked;
+  #drawer = null;
+  #engine = null;
+  #record = {losses: 0, pauses: 0, draws: 0};
+  #resume = null;
+  isStopped = false;
+
+  constructor(post, asked) {
+    this.#post = post;
+    this.#asked = asked;
+  }
+
+  pause() {
+    if (this.#resume) return;
+    ++this.#record.pauses;
+    let go;
+    const waiting = new Promise((resolve) => { go = resolve; });
+    this.#resume = {go, waiting};
+  }
+
+  go() {
+    this.#resume?.go();
+    this.#resume = null;
+  }
+
+  stop() {
+    this.isStopped = true;
+    this.go();
+  }
+
+  lose() {
+    this.#drawer?.lose();
+  }
+
+  /** Opens the drawer and has it prove itself; the reason if it does not. */
+  async #begin() {
+    const {api, samples, plant} = this.#asked;
+    this.#drawer = await OPENERS[api]({plant});
+    this.#post({type: "device", info: this.#drawer.info});
+    const {info} = this.#drawer;
+    if (samples > 1 && !info.perSample) return "WebGL2 can't read single samples";
+    if (!info.samples.includes(samples)) return `this device does not draw ${samples} samples`;
+    const record = await prove(this.#drawer, samples);
+    this.#post({type: "proof", record});
+    return record.reason;
+  }
+
+  async #drawAll(requests) {
+    const answers = [];
+    let since = performance.now();
+    for (const request of requests) {
+      const counts = await this.#drawer.draw(sceneOf(request));
+      answers.push({counts: facingCounts(counts, this.#drawer.info.yAxis)});
+      ++this.#record.draws;
+      if (performance.now() - since < BATCH_MILLISECONDS) continue;
+      await turn();
+      await this.#resume?.waiting;
+      if (this.isStopped) return null;
+      since = performance.now();
+    }
+    await turn();
+    await this.#resume?.waiting;
+    return this.isStopped ? null : answers;
+  }
+
+  /** A round's answers, from a new device if this one is lost; null if stopped. */
+  async #answers(requests) {
+    for (let attempt = 0; ; ++attempt) {
+      try {
+        return await this.#drawAll(requests);
+      } catch (error) {
+        if (!(error instanceof LostError) || attempt === 2) throw error;
+        ++this.#record.losses;
+        const reason = await this.#begin();
+        if (reason) throw new Error(`after a loss of the device: ${reason}`);
+      }
+    }
+  }
+
+  #openEngine() {
+    const {api, samples, cases, seed, saved} = this.#asked;
+    const profile = {webgpu: "webgpu", webgl2: "gl"}[api] + (samples > 1 ? `-${samples}x` : "");
+    const takes = ["window"];
+    const subject = {name: api, input: "float32", coverage: "facing-counts", takes};
+    this.#engine.open({subject, profile, cases, seed});
+    if (saved) this.#engine.load(saved);
+  }
+
+  async run() {
+    const begun = performance.now();
+    const milliseconds = () => Math.round(performance.now() - begun);
+    const finish = (outcome, reason, result = null) => this.#post({
+      type: "done", outcome, reason, result, ...this.#record, milliseconds: milliseconds(),
+      bytes: this.#engine?.save() ?? null,
+    });
+    try {
+      const reason = await this.#begin();
+      if (reason) return finish("inconclusive", reason);
+      this.#engine = await Engine.create();
+      this.#openEngine();
+      let savedAt = 0;
+      for (let round = this.#engine.next(); round.length > 0; round = this.#engine.next()) {
+        const answers = await this.#answers(round);
+        if (!answers) return this.#post({type: "stopped", bytes: this.#engine.save()});
+        this.#engine.answer(answers);
+        const {draws} = this.#record;
+        const spent = milliseconds();
+        this.#post({
+          type: "progress", ...this.#engine.progress(), draws, milliseconds: spent,
+        });
+        if (spent - savedAt < SAVE_MILLISECONDS) continue;
+        savedAt = spent;
+        this.#post({type: "saved", bytes: this.#engine.save()});
+      }
+      const result = this.#engine.result();
+      finish(OUTCOMES[result.status] ?? "inconclusive", null, result);
+    } catch (error) {
+      finish("inconclusive", error.message);
+    } finally {
+      this.#drawer?.close();
+    }
+  }
+}
+
+/**
+ * @param {(listener: (message: object) => void) => void} listen
+ * @param {(message: object) => void} post
+ * @param {(name: string, api: string) => import("./drawer.mjs").Plant} plantOf
+ */
+export function serve(listen, post, plantOf = () => undefined) {
+  let session = null;
+  listen((message) => {
+    if (message.type === "start") {
+      const plant = message.plant ? plantOf(message.plant, message.api) : undefined;
+      session = new Session(post, {...message, plant});
+      session.run();
+    } else {
+      session?.[message.type]();
+    }
+  });
+}

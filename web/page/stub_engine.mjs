@@ -1,1 +1,228 @@
-export function open() {}
+/**
+ * Stands in for the engine in tests of the page: the same contract (web/npm), one property. It
+ * draws meshes with shared edges and holds every count against models with 4 to 8 subpixel bits,
+ * decided in integers.
+ */
+
+const SIDE = 16;
+const PLACES = {1: [[8, 8]], 4: [[6, 2], [14, 6], [2, 10], [10, 14]]};
+const MODELS = [4, 5, 6, 7, 8].flatMap((bits) => [
+  {bits, form: "float32(x - 1/2)"}, {bits, form: "x"},
+]);
+
+function numbers(seed) {
+  let state = (seed * 2654435761 + 12345) >>> 0;
+  return (n) => {
+    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
+    return Math.floor((state / 2 ** 32) * n);
+  };
+}
+
+/** To the nearest integer, to the even one of two. */
+function nearestEven(x) {
+  const down = Math.floor(x);
+  const rest = x - down;
+  return rest > 0.5 || (rest === 0.5 && down % 2 !== 0) ? down + 1 : down;
+}
+
+/** A float32 coordinate on the model's grid, as an integer. */
+function snapped(x, {bits, form}) {
+  const steps = 2 ** bits;
+  const onGrid = form === "x" ? nearestEven(x * steps) :
+                                nearestEven(Math.fround(x - 0.5) * steps) + steps / 2;
+  return BigInt(onGrid);
+}
+
+/** Where a corner lies matters most at centres, and half way between two points of a grid. */
+function coordinate(next, kind, near) {
+  const grid = [16, 32, 64, 128, 256][next(5)];
+  const away = [0, 2 ** -9, -(2 ** -9), 2 ** -14, -(2 ** -14)][next(5)];
+  const x = near + [
+    () => next(4096) / 2048 - 1,
+    () => next(4) - 1.5,
+    () => (next(2 * grid) + 0.5) / grid - 1 + away,
+    () => next(2 * grid) / grid - 1,
+  ][kind]();
+  return Math.fround(x);
+}
+
+/** Sixteen triangles that share edges: four quads by two. */
+function mesh(seed, index, samples) {
+  const next = numbers(seed * 100003 + index);
+  const vertices = new Float64Array(4 * 15);
+  for (let k = 0; k < 15; ++k) {
+    const kind = next(4);
+    const x = coordinate(next, kind, 2 + 3 * (k % 5));
+    const y = coordinate(next, kind, 2 + 5 * Math.floor(k / 5));
+    // Left of 1/2, float32(x - 1/2) loses bits that x has.
+    const isFine = k === 5 && index % 2 === 1;
+    vertices.set([isFine ? (next(8) + 0.5) / 16 + 2 ** -29 : x, y, 0, 1], 4 * k);
+  }
+  const triangles = [];
+  for (const k of [0, 1, 2, 3, 5, 6, 7, 8]) {
+    triangles.push(k, k + 5, k + 1, k + 6, k + 1, k + 5);
+  }
+  return {
+    width: SIDE, height: SIDE, samples, clip: false, cull: null, scissor: null, vertices,
+    triangles: Int32Array.from(triangles),
+  };
+}
+
+/** Edges' values at a point, each opposite its corner, and which are of a top or left edge. */
+function edgesAt(corners, point) {
+  return [0, 1, 2].map((k) => {
+    const [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
+    const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+    return {value: (point[0] - a[0]) * dy - (point[1] - a[1]) * dx, dx, dy};
+  });
+}
+
+/** 1 counter-clockwise on screen and covered, -1 clockwise and covered, else 0. */
+function covers(corners, point) {
+  const edges = edgesAt(corners, point);
+  const area = edges[0].value + edges[1].value + edges[2].value;
+  if (area === 0n) return 0;
+  const sign = area > 0n ? 1n : -1n;
+  const isInside = edges.every(({value, dx, dy}) => {
+    const [inward, x, y] = [sign * value, sign * dx, sign * dy];
+    // Left: the interior is to its right. Top: level, with the interior below.
+    return inward > 0n || (inward === 0n && (y > 0n || (y === 0n && x < 0n)));
+  });
+  return isInside ? Number(sign) : 0;
+}
+
+function corner(request, index, model) {
+  return [0, 1].map((axis) => snapped(request.vertices[4 * index + axis], model));
+}
+
+/** Counts of front faces and then of back faces. */
+function expected(request, model) {
+  const {width, height, samples, triangles} = request;
+  const size = width * height * samples;
+  const counts = new Int32Array(2 * size);
+  const unit = BigInt(2 ** (model.bits - 4));
+  for (let t = 0; t < triangles.length; t += 3) {
+    const corners = [0, 1, 2].map((k) => corner(request, triangles[t + k], model));
+    for (let k = 0; k < size; ++k) {
+      const pixel = Math.floor(k / samples);
+      const place = PLACES[samples][k % samples];
+      const column = BigInt(16 * (pixel % width) + place[0]) * unit;
+      const row = BigInt(16 * Math.floor(pixel / width) + place[1]) * unit;
+      const sign = covers(corners, [column, row]);
+      if (sign !== 0) ++counts[sign > 0 ? k : size + k];
+    }
+  }
+  return counts;
+}
+
+/** What a report says of the first sample that differs. */
+function failureOf(request, model, drawn, index) {
+  const should = expected(request, model);
+  const size = should.length / 2;
+  const total = (counts) => Array.from({length: size}, (_, k) => counts[k] + counts[size + k]);
+  const at = should.findIndex((count, k) => count !== drawn[k]) % size;
+  const {width, samples} = request;
+  const pixel = Math.floor(at / samples);
+  const [x, y] = [pixel % width, Math.floor(pixel / width)];
+  const place = PLACES[samples][at % samples];
+  const point = [x, y].map((n, axis) => BigInt(16 * n + place[axis]) << BigInt(model.bits - 4));
+  const edges = [];
+  for (let t = 0; t < request.triangles.length; t += 3) {
+    const corners = [0, 1, 2].map((k) => corner(request, request.triangles[t + k], model));
+    const values = edgesAt(corners, point).map(({value}) => value);
+    const isNear = values.every((value) => value >= 0n) || values.every((value) => value <= 0n);
+    const scaled = values.map((value) => `${value}/${4 ** model.bits}`);
+    if (isNear) edges.push({triangle: t / 3, values: scaled});
+  }
+  return {
+    property: "OneModelExplainsTheMesh",
+    outcome: "violated",
+    clause: "stub",
+    fails: true,
+    message: `no model with 4 to 8 subpixel bits explains what was drawn of case ${index}`,
+    pixel: [x, y],
+    sample: at % samples,
+    expected: String(total(should)[at]),
+    actual: String(total(drawn)[at]),
+    case: {...request, vertices: [...request.vertices], triangles: [...request.triangles]},
+    picture: {
+      width, height: request.height, samples, expected: total(should), actual: total(drawn), edges,
+    },
+  };
+}
+
+export class Engine {
+  #asked = {};
+  #state = {done: 0, left: MODELS, failure: null};
+  #round = [];
+
+  static async create() {
+    return new Engine();
+  }
+
+  open({profile, cases = 1000, seed = 1, subject}) {
+    this.#asked = {profile, cases, seed, subject: subject?.name ?? "subject"};
+  }
+
+  next() {
+    const {cases, seed, profile} = this.#asked;
+    const samples = profile.endsWith("-4x") ? 4 : 1;
+    const {done, failure} = this.#state;
+    const count = failure ? 0 : Math.min(10, cases - done);
+    this.#round = Array.from({length: count}, (_, k) => mesh(seed, done + k, samples));
+    return this.#round;
+  }
+
+  answer(answers) {
+    answers.forEach(({counts}, k) => {
+      const {done, left, failure} = this.#state;
+      if (failure) return;
+      const request = this.#round[k];
+      const isExplainedBy = (model) => {
+        return expected(request, model).every((count, at) => count === counts[at]);
+      };
+      const still = left.filter(isExplainedBy);
+      this.#state = {
+        done: done + 1,
+        left: still.length > 0 ? still : left,
+        failure: still.length > 0 ? null : failureOf(request, left[0], counts, done),
+      };
+    });
+  }
+
+  progress() {
+    return {done: this.#state.done, of: this.#asked.cases};
+  }
+
+  save() {
+    return new TextEncoder().encode(JSON.stringify(this.#state));
+  }
+
+  load(saved) {
+    this.#state = JSON.parse(new TextDecoder().decode(saved));
+  }
+
+  result() {
+    const {failure, done, left} = this.#state;
+    const status = failure ? 1 : 0;
+    const outcome = failure ? "violated" : "holds";
+    const property = {
+      property: "OneModelExplainsTheMesh", outcome, fails: status === 1, cases: done,
+      exercised: done, refused: 0, message: failure?.message ?? "",
+    };
+    const model = failure ? null : {
+      subpixelBits: left.map(({bits}) => bits).filter((bits, k, all) => all.indexOf(bits) === k),
+      snap: left.map(({form}) => `nearest even of ${form}`)
+          .filter((form, k, all) => all.indexOf(form) === k),
+      ties: "top-left",
+    };
+    const {subject, profile} = this.#asked;
+    return {
+      version: "stub", status,
+      subjects: [{
+        subject, profile, status, failures: failure ? [failure] : [], properties: [property],
+        unasked: [{what: "depth and values", why: "the drawers show coverage alone"}], model,
+      }],
+    };
+  }
+}

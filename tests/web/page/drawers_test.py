@@ -5,15 +5,10 @@ they can't be believed in; all other planted faults reach the engine.
 usage: drawers_test.py SOURCE_FOLDER CHROMIUM
 """
 
-import pathlib
-import subprocess
 import sys
-import tempfile
 import unittest
 
-SOURCES, CHROMIUM = pathlib.Path(sys.argv[1]), sys.argv[2]
-sys.path.insert(0, str(SOURCES / "tests" / "tool"))
-from browser import SWIFTSHADER, Browser  # noqa: E402
+from page_driver import Page
 
 APIS = ("webgpu", "webgl2")
 REFUSED = {
@@ -27,23 +22,16 @@ REFUSED_OF_4_IN_WEBGPU = {"second-sample-misplaced": "do not lie at the standard
 class Drawers(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory()
-        page = pathlib.Path(cls.folder.name) / "passport.html"
-        plants = SOURCES / "tests" / "web" / "page" / "plants.mjs"
-        subprocess.run([sys.executable, SOURCES / "web" / "page" / "build.py", page,
-                        "--plants", plants], check=True)  # fmt: skip
-        cls.browser = Browser(CHROMIUM, SWIFTSHADER)
-        cls.browser.open(page.as_uri(), 1280)
+        cls.page = Page()
 
     @classmethod
     def tearDownClass(cls):
-        cls.browser.close()
-        cls.folder.cleanup()
+        cls.page.close()
 
     def value(self, body):
         """What the body of a function returns whose names are the page's modules."""
-        return self.browser.value(f"""(async () => {{
-          const {{drawer, webgpu, webgl2, self_proof, plants}} = rasterproof.modules;
+        return self.page.value(f"""(async () => {{
+          const {{drawer, webgpu, webgl2, self_proof, plants}} = rasterproof.modules();
           {body}
         }})()""")
 

@@ -1,0 +1,167 @@
+#!/usr/bin/env python3
+"""The page passport.html from end to end, with an engine that stands in for the real one.
+
+usage: passport_test.py SOURCE_FOLDER CHROMIUM
+PICTURES in the environment: a folder for the page's pictures at three widths.
+"""
+
+import base64
+import json
+import os
+import pathlib
+import sys
+import unittest
+
+from page_driver import Page
+
+WIDTHS = (1280, 800, 390)
+SECTIONS = ["device", "model", "verdicts", "failure", "unasked", "run"]
+# What the engine is to find; the other plants are the self-proof's to refuse: drawers_test.
+FOUND = ("half-pixel-shift", "diagonal-twice", "one-side-fused", "seven-bits",
+         "every-1000th-lost")  # fmt: skip
+RUNNING = 'Number(document.getElementById("progress").value) > 0'
+
+
+class Passport(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.page = Page()
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.page.close()
+
+    def setUp(self):
+        self.page.open()
+        self.page.value("localStorage.clear()")
+
+    def start(self, api="webgpu", samples=1, cases=200, plant=None):
+        asked = {"api": api, "samples": samples, "cases": cases, "seed": 1}
+        if plant:
+            asked["plant"] = plant
+        self.page.value(f"rasterproof.start({json.dumps(asked)})")
+
+    def certificate(self):
+        self.page.wait_for("done")
+        return self.page.value("rasterproof.certificate()")
+
+    def shown(self):
+        return self.page.value("""Array.from(document.querySelectorAll("section:not([hidden])"),
+                                  (section) => section.id)""")
+
+    def test_keys_alone_run_it_and_nothing_is_fetched(self):
+        self.page.value('document.querySelector("[name=seed]").focus()')
+        self.page.browser.press("Tab")
+        self.assertEqual(self.page.value("document.activeElement.id"), "start")
+        self.page.browser.press("Enter")
+        self.page.wait_for("running", "done")
+        certificate = self.certificate()
+        self.assertEqual((certificate["outcome"], certificate["where"]), ("holds", "worker"))
+        self.assertEqual(certificate["draws"], 200)
+        self.assertEqual(self.shown(), [name for name in SECTIONS if name != "failure"])
+        self.assertIn("holds", self.page.text("verdict"))
+        self.assertIn("swiftshader", self.page.text("device-facts"))
+        self.assertEqual(self.page.browser.faults(), [])
+
+    def test_the_model_of_swiftshader_is_found(self):
+        for api, samples in (("webgpu", 1), ("webgpu", 4), ("webgl2", 1)):
+            self.start(api, samples)
+            certificate = self.certificate()
+            self.assertEqual(certificate["outcome"], "holds", certificate)
+            self.assertEqual(certificate["result"]["subjects"][0]["model"],
+                             {"subpixelBits": [4], "snap": ["nearest even of float32(x - 1/2)"],
+                              "ties": "top-left"})  # fmt: skip
+
+    def test_planted_faults_are_found_and_pictured(self):
+        for api in ("webgpu", "webgl2"):
+            for plant in FOUND:
+                with self.subTest(api=api, plant=plant):
+                    self.start(api, plant=plant)
+                    self.assertEqual(self.certificate()["outcome"], "violated")
+                    self.assertEqual(self.shown(), [s for s in SECTIONS if s != "model"])
+                    framed = self.page.value('document.querySelectorAll("svg .differs").length')
+                    self.assertGreaterEqual(framed, 2)
+                    self.assertIn("violated", self.page.text("verdict"))
+        self.assertIn("```json", self.page.value("rasterproof.reportText()"))
+
+    def test_what_the_self_proof_refuses_is_inconclusive(self):
+        for plant in ("saturating", "lying-read-back"):
+            self.start(plant=plant)
+            certificate = self.certificate()
+            self.assertEqual(certificate["outcome"], "inconclusive")
+            self.assertIsNone(certificate["result"])
+            self.assertIn(certificate["reason"], self.page.text("status"))
+            self.assertEqual(self.shown(), ["device", "run"])
+        self.start("webgl2", samples=4)
+        self.assertIn("can't read single samples", self.certificate()["reason"])
+
+    def test_a_lost_device_is_opened_again(self):
+        for api in ("webgpu", "webgl2"):
+            self.start(api)
+            self.page.wait_until(RUNNING)
+            self.page.value('rasterproof.tell("lose")')
+            certificate = self.certificate()
+            self.assertEqual((certificate["outcome"], certificate["losses"]), ("holds", 1))
+
+    def test_a_hidden_page_waits(self):
+        self.start()
+        self.page.wait_until(RUNNING)
+        hide = """Object.defineProperty(document, "hidden", {{configurable: true, value: {}}});
+                  document.dispatchEvent(new Event("visibilitychange"))"""
+        self.page.value(hide.format("true"))
+        self.page.wait_for("paused")
+        self.page.value(hide.format("false"))
+        certificate = self.certificate()
+        self.assertEqual((certificate["outcome"], certificate["pauses"]), ("holds", 1))
+
+    def test_a_stopped_run_goes_on_after_the_page_was_closed(self):
+        self.start(cases=400)
+        self.page.wait_until(RUNNING)
+        self.page.value('document.getElementById("stop").click()')
+        self.page.wait_for("stopped")
+        self.page.open()
+        self.assertIn("Resume", self.page.text("status"))
+        self.page.value('document.getElementById("resume").click()')
+        certificate = self.certificate()
+        self.assertEqual(certificate["outcome"], "holds")
+        self.assertLess(certificate["draws"], 400)
+        self.assertEqual(certificate["result"]["subjects"][0]["properties"][0]["cases"], 400)
+        self.assertTrue(self.page.value('document.getElementById("resume").disabled'))
+
+    def test_without_a_worker_the_page_draws_itself(self):
+        self.page.value("Worker = undefined")
+        for api in ("webgpu", "webgl2"):
+            self.start(api, cases=20)
+            certificate = self.certificate()
+            self.assertEqual((certificate["outcome"], certificate["where"]), ("holds", "page"))
+
+    def test_controls_and_pictures_have_names(self):
+        self.start(plant="half-pixel-shift")
+        self.page.wait_for("done")
+        nodes = self.page.browser.call("Accessibility.getFullAXTree")["nodes"]
+        roles = {"button", "combobox", "spinbutton", "img", "image", "progressbar", "region"}
+        names = [(node["role"]["value"], node["name"]["value"]) for node in nodes
+                 if not node["ignored"] and node["role"]["value"] in roles]  # fmt: skip
+        self.assertGreaterEqual(len(names), 10)
+        self.assertEqual([name for name in names if not name[1]], [])
+
+    def test_three_widths_in_light_and_dark(self):
+        folder = os.environ.get("PICTURES")
+        for width in WIDTHS:
+            for dark in (False, True):
+                for plant in (None, "diagonal-twice"):
+                    self.page.open(width, dark=dark)
+                    self.start(cases=20, plant=plant)
+                    self.page.wait_for("done")
+                    wide = self.page.value("document.documentElement.scrollWidth")
+                    self.assertLessEqual(wide, width)
+                    if not folder:
+                        continue
+                    name = f"{width}-{'dark' if dark else 'light'}-{plant or 'sound'}.png"
+                    picture = self.page.browser.call("Page.captureScreenshot",
+                                                     captureBeyondViewport=True)  # fmt: skip
+                    pathlib.Path(folder, name).write_bytes(base64.b64decode(picture["data"]))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

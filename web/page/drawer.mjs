@@ -82,7 +82,7 @@ export function checkScene(scene, info) {
     throw new RangeError(`a target of ${width} x ${height}; sides are 1 to ${info.largestTarget}`);
   }
   if (!info.samples.includes(samples)) {
-    throw new RangeError(`${samples} samples a pixel; this device draws ${info.samples.join(", ")}`);
+    throw new RangeError(`${samples} samples a pixel; the device has ${info.samples.join(", ")}`);
   }
   const count = vertices.length / (scene.space === "clip" ? 4 : 2);
   if (triangles.length % 3 !== 0 || triangles.some((index) => index >= count)) {

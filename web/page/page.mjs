@@ -2,9 +2,14 @@
 const byId = (id) => document.getElementById(id);
 const KEPT = "rasterproof-run";
 const PROOF_NAMES = {
-  readBack: "Read-back", counting: "Counting", vertices: "Vertices", addressing: "Samples, one by one",
+  readBack: "Read-back",
+  counting: "Counting",
+  vertices: "Vertices",
+  addressing: "Samples, one by one",
   places: "Places of the samples",
 };
+
+const NAMES = {webgpu: "WebGPU", webgl2: "WebGL2"};
 
 let run = null;  // what was asked, and what came of it
 let port = null;  // where messages go
@@ -80,7 +85,8 @@ function showProof({record}) {
     const more = ["subnormals", "nan"].filter((key) => check[key])
         .map((key) => `; ${key === "nan" ? "NaN" : key} ${check[key]}`).join("");
     const outcome = check.passed ? "holds" : "inconclusive";
-    return made("li", [chip(outcome), `${PROOF_NAMES[check.name]}: ${check.said ?? check.reason}${more}`]);
+    const said = `${PROOF_NAMES[check.name]}: ${check.said ?? check.reason}${more}`;
+    return made("li", [chip(outcome), said]);
   }));
 }
 
@@ -126,7 +132,9 @@ function showFailure({message, pixel, sample, expected, actual, picture}) {
       figure("Drawn", picture.actual, picture.expected, picture, at));
   const key = "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs.";
   byId("edges").append(made("p", key, {class: "why"}), ...picture.edges.map(
-      ({triangle, values}) => made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`))));
+      ({triangle, values}) => {
+        return made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`));
+      }));
 }
 
 function showResult({result}) {
@@ -164,12 +172,14 @@ function showDone(message) {
   byId("verdict").replaceChildren(chip(outcome), ` ${SENTENCES[outcome]}`);
   if (result) showResult(message);
   show("run", {"run-facts": facts([
-    ["Cases", `${run.asked.cases} of ${run.asked.api}, ${run.asked.samples} samples a pixel`],
+    ["Cases", `${run.asked.cases}, of each property`],
+    ["Drawn with", `${NAMES[run.asked.api]}, samples a pixel: ${run.asked.samples}`],
     ["Seed", run.asked.seed],
     ["Draws", draws],
     ["Time", `${(milliseconds / 1000).toFixed(1)} s`],
-    ["Interrupted", `${losses} losses of the device, ${pauses} times hidden`],
+    ["Interrupted", `device lost ${losses} times, page hidden ${pauses} times`],
   ])});
+  byId("progress").value = byId("progress").max;
   setState("done", reason ? `Inconclusive: ${reason}.` : "Done.");
 }
 
@@ -264,7 +274,8 @@ function certificate() {
   const {asked, info, proof, where, done} = run;
   const {bytes, ...rest} = done;
   const saved = bytes && base64(bytes);
-  return {rasterproof_passport: 1, asked, where, browser: navigator.userAgent, info, proof, ...rest, saved};
+  const browser = navigator.userAgent;
+  return {rasterproof_passport: 1, asked, where, browser, info, proof, ...rest, saved};
 }
 
 function reportText() {
@@ -273,7 +284,7 @@ function reportText() {
   const lines = [
     `Rasterizer passport: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`,
     `Device: ${JSON.stringify(info?.adapter)}; ${navigator.userAgent}`,
-    `Asked: ${asked.cases} cases, ${asked.api}, ${asked.samples} samples a pixel, seed ${asked.seed}`,
+    `Asked: ${asked.cases} cases, seed ${asked.seed}, ${asked.api}, samples: ${asked.samples}`,
   ];
   if (failure) {
     lines.push(`${failure.property}: ${failure.message}`,

@@ -2,8 +2,8 @@
  * A run: opens a drawer, has it prove itself, and takes draws from the engine to it. It lives in
  * the worker, or in the page where a worker has no GPU, and speaks by messages.
  *
- * In: {type: "start", api, samples, cases, seed, [saved], [plant]}, "pause", "go", "stop"; for
- * tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress" {done, of,
+ * In: {type: "start", api, samples, cases, seed, [reach], [saved], [plant]}, "pause", "go",
+ * "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress" {done, of,
  * draws, milliseconds} and "saved" {bytes} in turn, and at last "stopped" {bytes} or "done"
  * {outcome, reason, result, losses, pauses, draws, milliseconds, bytes}.
  */
@@ -32,10 +32,12 @@ function turn() {
 }
 
 /** The scene of a request. All its numbers are float32 ones: the engine was told so. */
-function sceneOf({width, height, samples, vertices, triangles}) {
+function sceneOf({width, height, samples, vertices, triangles}, reach) {
   const points = new Float32Array(vertices.length / 2);
   for (let k = 0; k < points.length; ++k) points[k] = vertices[4 * (k >> 1) + (k & 1)];
-  return {width, height, samples, vertices: points, triangles: Uint32Array.from(triangles)};
+  return {
+    width, height, samples, vertices: points, triangles: Uint32Array.from(triangles), reach,
+  };
 }
 
 /**
@@ -103,7 +105,7 @@ class Session {
     const answers = [];
     let since = performance.now();
     for (const request of requests) {
-      const counts = await this.#drawer.draw(sceneOf(request));
+      const counts = await this.#drawer.draw(sceneOf(request, this.#asked.reach));
       answers.push({counts: facingCounts(counts, this.#drawer.info.yAxis)});
       ++this.#record.draws;
       if (performance.now() - since < BATCH_MILLISECONDS) continue;

@@ -137,6 +137,12 @@ function showFailure({message, pixel, sample, expected, actual, picture}) {
       }));
 }
 
+/** What fails the run goes first; a lack of quality alone is shown, too. */
+function firstFailure(result) {
+  const failures = result?.subjects[0].failures ?? [];
+  return failures.find(({fails}) => fails) ?? failures[0];
+}
+
 function showResult({result}) {
   const [subject] = result.subjects;
   const {model, failures, properties, unasked} = subject;
@@ -154,7 +160,8 @@ function showResult({result}) {
     made("td", one.cases, {class: "number"}),
     made("td", clauses.get(one.property) ?? one.message),
   ]))});
-  if (failures.length > 0) showFailure(failures[0]);
+  const first = firstFailure(result);
+  if (first) showFailure(first);
   const rows = unasked.map(({what, why}) => made("li", `${what}: ${why}`));
   show("unasked", {"unasked-rows": rows.length > 0 ? rows : [made("li", "nothing")]});
 }
@@ -280,7 +287,7 @@ function certificate() {
 
 function reportText() {
   const {asked, info, done} = run;
-  const failure = done.result?.subjects[0].failures[0];
+  const failure = firstFailure(done.result);
   const lines = [
     `Rasterizer passport: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`,
     `Device: ${JSON.stringify(info?.adapter)}; ${navigator.userAgent}`,

@@ -16,7 +16,9 @@ import {Engine} from "./engine.mjs";
 const OPENERS = {webgl2: openWebGl2, webgpu: openWebGpu};
 const OUTCOMES = {0: "holds", 1: "violated", 4: "inconclusive"};
 /* Long enough for a GPU to be busy, short enough for watchdogs and for a button to be heard. */
-const BATCH_MILLISECONDS = 30;
+const LEAST_MILLISECONDS = 20;
+const MOST_MILLISECONDS = 50;
+const MOST_DRAWS = 256;
 const SAVE_MILLISECONDS = 1000;
 
 /** Lets messages in. No timer: those of hidden tabs stand still. */
@@ -59,6 +61,7 @@ class Session {
   #engine = null;
   #record = {losses: 0, pauses: 0, draws: 0};
   #resume = null;
+  #batch = 4;
   isStopped = false;
 
   constructor(post, asked) {
@@ -101,22 +104,27 @@ class Session {
     return record.reason;
   }
 
+  /** Draws in batches that a GPU has in hand at once; null if stopped. */
   async #drawAll(requests) {
+    const {reach} = this.#asked;
     const answers = [];
-    let since = performance.now();
-    for (const request of requests) {
-      const counts = await this.#drawer.draw(sceneOf(request, this.#asked.reach));
-      answers.push({counts: facingCounts(counts, this.#drawer.info.yAxis)});
-      ++this.#record.draws;
-      if (performance.now() - since < BATCH_MILLISECONDS) continue;
+    while (answers.length < requests.length) {
+      const since = performance.now();
+      const batch = requests.slice(answers.length, answers.length + this.#batch);
+      const drawn = await Promise.all(
+          batch.map((request) => this.#drawer.draw(sceneOf(request, reach))));
+      for (const counts of drawn) {
+        answers.push({counts: facingCounts(counts, this.#drawer.info.yAxis)});
+      }
+      this.#record.draws += batch.length;
+      const spent = performance.now() - since;
+      if (spent < LEAST_MILLISECONDS) this.#batch = Math.min(2 * this.#batch, MOST_DRAWS);
+      if (spent > MOST_MILLISECONDS) this.#batch = Math.ceil(this.#batch / 2);
       await turn();
       await this.#resume?.waiting;
       if (this.isStopped) return null;
-      since = performance.now();
     }
-    await turn();
-    await this.#resume?.waiting;
-    return this.isStopped ? null : answers;
+    return answers;
   }
 
   /** A round's answers, from a new device if this one is lost; null if stopped. */

@@ -9,10 +9,12 @@ import base64
 import json
 import os
 import pathlib
+import subprocess
 import sys
+import tempfile
 import unittest
 
-from page_driver import Page
+from page_driver import SOURCES, Page
 
 WIDTHS = (1280, 800, 390)
 SECTIONS = ["device", "model", "verdicts", "failure", "unasked", "run"]
@@ -102,6 +104,25 @@ class Passport(unittest.TestCase):
             self.page.value('rasterproof.tell("lose")')
             certificate = self.certificate()
             self.assertEqual((certificate["outcome"], certificate["losses"]), ("holds", 1))
+
+    def test_a_device_that_stays_lost_is_inconclusive(self):
+        self.page.value("Worker = undefined")
+        self.start()
+        self.page.wait_until(RUNNING)
+        self.page.value("navigator.gpu.requestAdapter = async () => null")
+        self.page.value('rasterproof.tell("lose")')
+        certificate = self.certificate()
+        self.assertEqual(certificate["outcome"], "inconclusive")
+        self.assertIn("no adapter", certificate["reason"])
+
+    def test_a_page_that_is_shipped_plants_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page = pathlib.Path(folder, "passport.html")
+            subprocess.run([sys.executable, "-B", SOURCES / "web" / "page" / "build.py", page],
+                           check=True)  # fmt: skip
+            text = page.read_text(encoding="utf-8")
+        self.assertNotIn("seven-bits", text)
+        self.assertNotIn("http://", text.replace("http://www.w3.org/2000/svg", ""))
 
     def test_a_hidden_page_waits(self):
         self.start()

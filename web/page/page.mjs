@@ -186,7 +186,7 @@ function showDone(message) {
     ["Time", `${(milliseconds / 1000).toFixed(1)} s`],
     ["Interrupted", `device lost ${losses} times, page hidden ${pauses} times`],
   ])});
-  byId("progress").value = byId("progress").max;
+  if (result) byId("progress").value = byId("progress").max;
   setState("done", reason ? `Inconclusive: ${reason}.` : "Done.");
 }
 
@@ -332,6 +332,7 @@ byId("resume").addEventListener("click", () => {
 byId("save").addEventListener("click", save);
 byId("copy").addEventListener("click", copy);
 document.addEventListener("visibilitychange", hide);
+if (!navigator.gpu) byId("ask").elements.api.value = "webgl2";
 if (kept()) setState("idle", "A run was left before its end: Resume goes on where it was.");
 // For tests, and for whoever wants to look from the console.
 globalThis.rasterproof = {

@@ -284,7 +284,7 @@ export async function open({viewport, format, plant = {}} = {}) {
   const most = chosen.one === 1 ? gl.getInternalformatParameter(
       gl.RENDERBUFFER, gl[chosen.name], gl.SAMPLES) : [];
   const adapter = adapterOf(gl);
-  const side = Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), bounds, 4096);
+  const side = Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), bounds, 2048);
   return new WebGl2Drawer(gl, chosen, {
     api: "webgl2",
     adapter,

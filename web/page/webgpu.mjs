@@ -297,7 +297,7 @@ export async function open({viewport, plant = {}} = {}) {
     hidden: [...names.filter((name) => !told.includes(name)), "subpixel bits", "sample places"],
     samples: [1, 4],
     subpixelBits: null,
-    largestTarget: Math.min(4096, powerBelow(maxTextureDimension2D)),
+    largestTarget: 2048,  // of 4 samples as many bytes as every device binds
     ceiling: CEILING,
     yAxis: "down",
     perSample: true,

@@ -133,7 +133,9 @@ class Drawers(unittest.TestCase):
                 await opened.lost;
                 return failure({});
               };
-              return [await failure({width: 5000}), await failure({samples: 3}),
+              const most = opened.info.largestTarget;
+              await one({width: most, height: 3});
+              return [await failure({width: most + 1}), await failure({samples: 3}),
                 await failure({triangles: Uint32Array.of(0, 1, 4)}), await after()];
             """), ["RangeError", "RangeError", "RangeError", "LostError"])  # fmt: skip
 

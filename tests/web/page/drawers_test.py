@@ -15,6 +15,21 @@ REFUSED = {
     "saturating": "miscounted",
     "lying-read-back": "read back is not what the target was cleared to",
 }
+# Drawers that lie, as changes of a sound one's answers; the check that says so, or nothing.
+LIARS = {
+    "a bit of a vertex": ("echo: async (v) => (await d.echo(v)).map((b, k) => k === 5 ? b ^ 1 : b)",
+                          "vertices"),
+    "flushes subnormals": ("echo: async (v) => (await d.echo(v)).map("
+                           "(b) => (b & 0x7f800000) === 0 ? b & 0x80000000 : b)", ""),
+    "ignores masks": ("draw: (s) => d.draw({...s, mask: undefined})", "addressing"),
+    "front for back": ("draw: async (s) => { const c = await d.draw(s);"
+                       "return s.triangles.length ? {...c, front: c.back, back: c.front} : c; }",
+                       "counting"),
+    "eight short of its ceiling": ("draw: async (s) => { const c = await d.draw(s);"
+                                   "return s.triangles.length ? {...c,"
+                                   "front: c.front.map((n) => Math.min(n, 2040))} : c; }",
+                                   "counting"),
+}  # fmt: skip
 # WebGL2 has no standard places of samples: there they are recorded.
 REFUSED_OF_4_IN_WEBGPU = {"second-sample-misplaced": "do not lie at the standard places"}
 
@@ -79,8 +94,25 @@ class Drawers(unittest.TestCase):
                     record = self.proof(api, samples, name)
                     self.assertEqual(record["passed"], name not in refused, record)
                     self.assertIn(refused.get(name, ""), record["reason"] or "")
+                    if name == "every-1000th-lost":
+                        self.assertGreater(record["checks"][1]["lost"], 0)
                     if (samples, name) == (4, "second-sample-misplaced"):
                         self.assertFalse(record["checks"][-1]["standard"])
+
+    def test_a_drawer_that_lies_is_refused_by_the_check_that_asks_it(self):
+        for name, (change, refused_by) in LIARS.items():
+            record = self.value(f"""
+              const d = await webgpu.open();
+              const record = await self_proof.prove({{
+                info: d.info, draw: (s) => d.draw(s), echo: (v) => d.echo(v), {change}}}, 4);
+              d.close();
+              return record;""")
+            with self.subTest(name):
+                self.assertEqual(record["passed"], not refused_by, record)
+                last = record["checks"][-1]["name"]
+                self.assertEqual(last, refused_by or "places")
+                if name == "flushes subnormals":
+                    self.assertEqual(record["checks"][2]["subnormals"], "flushed")
 
     def drawn(self, api, body, samples=1):
         """What `body` returns, for scenes on one drawer: `one(scene)` draws a mesh of two."""

@@ -3,9 +3,20 @@
 #include <algorithm>
 #include <cfenv>
 #include <cstddef>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
+
+// WebAssembly rounds to nearest and has no flags: no other mode is set, and none is found.
+#if defined(__wasm__)
+#define FE_UPWARD FE_TONEAREST
+#define FE_DOWNWARD FE_TONEAREST
+#define FE_TOWARDZERO FE_TONEAREST
+#define FE_DIVBYZERO 0
+#define FE_INVALID 0
+#define FE_OVERFLOW 0
+#endif
 
 namespace rasterproof {
 namespace {
@@ -37,9 +48,9 @@ std::string RaisedText(int raised) {
 }  // namespace
 
 std::optional<FloatMode> FindFloatMode(std::string_view name) {
-  const auto* const found = std::ranges::find(kFloatModeNames, name);
-  if (found == kFloatModeNames.end()) return std::nullopt;
-  return static_cast<FloatMode>(found - kFloatModeNames.begin());
+  const auto number = std::ranges::find(kFloatModeNames, name) - kFloatModeNames.begin();
+  if (number == std::ssize(kFloatModeNames)) return std::nullopt;
+  return static_cast<FloatMode>(number);
 }
 
 bool HasFloatMode(FloatMode mode) {

@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cfenv>
-#include <fstream>
 #include <string>
+#if !defined(__wasm__)
+#include <fstream>
+#endif
 
 #include "core/own_precision.h"
 
@@ -54,6 +56,9 @@ bool KeepsFloatRounding() {
 // valgrind maps its own tool into the process. Its emulation ignores the rounding modes that
 // interval arithmetic needs.
 bool RunsUnderValgrind() {
+#if defined(__wasm__)
+  return false;
+#else
   std::ifstream maps("/proc/self/maps");
   for (std::string line; std::getline(maps, line);) {
     if (line.find("vgpreload") != std::string::npos ||
@@ -62,6 +67,7 @@ bool RunsUnderValgrind() {
     }
   }
   return false;
+#endif
 }
 
 std::string CompilerName() {

@@ -3,12 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -226,8 +224,7 @@ std::string ContractHint(const std::string& name) {
 Profile ReadProfile(const std::string& path_or_preset) {
   if (const std::optional<Profile> preset = PresetProfile(path_or_preset)) return *preset;
   if (path_or_preset.starts_with('{')) return ParseProfile(path_or_preset, "the profile");
-  std::error_code unknown;
-  if (path_or_preset != "-" && !std::filesystem::exists(path_or_preset, unknown)) {
+  if (path_or_preset != "-" && !IsThere(path_or_preset)) {
     throw InputError("profile " + Quoted(path_or_preset), "is neither a preset nor a file",
                      ContractHint(path_or_preset) + Suggestion(path_or_preset, PresetNames()) +
                          "the presets are" + ListedNames(PresetNames()));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,6 +11,8 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+
+#include "core/from_chars.h"
 
 namespace rasterproof::io {
 namespace {
@@ -54,7 +55,7 @@ bool IsLarge(std::string_view text) {
 template <class T>
 NumberFromText Nearest(std::string_view text) {
   T value = 0;
-  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, status] = FromChars(text.data(), text.data() + text.size(), value);
   if (status == std::errc::result_out_of_range) {
     if (IsLarge(text)) return {0, "rounds to infinity", "write \"inf\" if infinity is meant"};
     value = text.starts_with('-') ? T{-0.0} : T{0};

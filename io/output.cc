@@ -163,6 +163,11 @@ std::string BeginToRead(int file, const std::string& name) {
 
 }  // namespace
 
+bool IsThere(const std::string& path) {
+  std::error_code unknown;
+  return fs::exists(path, unknown);
+}
+
 std::string ReadFile(const std::string& path) {
   const bool standard = path == "-";
   const std::string name = standard ? "standard input" : path;

@@ -7,6 +7,9 @@
 
 namespace rasterproof::io {
 
+/// Whether a file or folder has that path.
+bool IsThere(const std::string& path);
+
 /// Reads a whole file ("-": standard input) or pipe. InputError names the file and the reason, for
 /// example a device, or a pipe without a writer within 2 s.
 std::string ReadFile(const std::string& path);

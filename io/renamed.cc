@@ -1,6 +1,5 @@
 #include "io/renamed.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -73,10 +72,10 @@ constexpr auto kRenamed = std::to_array<Pair>({
 }  // namespace
 
 std::string RenamedText(std::string_view word) {
-  const auto* const found =
-      std::ranges::find_if(kRenamed, [&](const Pair& pair) { return pair.first == word; });
-  if (found == kRenamed.end()) return "";
-  return ", which is " + std::string(found->second) + " now";
+  for (const auto& [before, now] : kRenamed) {
+    if (before == word) return ", which is " + std::string(now) + " now";
+  }
+  return "";
 }
 
 }  // namespace rasterproof::io

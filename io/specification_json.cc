@@ -14,12 +14,12 @@ namespace {
 
 // The first key by which two different profiles say different things.
 std::string FirstDifference(const Profile& a, const Profile& b) {
-  const auto* const key = std::ranges::find_if(kProfileKeys, [&](const ProfileKey& one) {
+  const ProfileKey& key = *std::ranges::find_if(kProfileKeys, [&](const ProfileKey& one) {
     Profile alike = a;
     one.member.copy(b, alike);
     return alike != a;
   });
-  return Quoted(key->name);
+  return Quoted(key.name);
 }
 
 }  // namespace

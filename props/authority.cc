@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/from_chars.h"
 #include "core/value_rule.h"
 
 namespace rasterproof::props {
@@ -36,8 +37,8 @@ bool SaysOtherwise(const ClauseKey& key, const std::optional<SquareRegion>& regi
   const bool is_hex = value.starts_with("0x");
   if (is_hex) value.remove_prefix(2);
   double half_width = 0;
-  std::from_chars(value.data(), value.data() + value.size(), half_width,
-                  is_hex ? std::chars_format::hex : std::chars_format::general);
+  FromChars(value.data(), value.data() + value.size(), half_width,
+            is_hex ? std::chars_format::hex : std::chars_format::general);
   return !region || half_width != region->half_width;
 }
 

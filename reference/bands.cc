@@ -1,7 +1,9 @@
 #include "reference/bands.h"
 
 #include <algorithm>
+#if defined(__STDCPP_THREADS__)
 #include <thread>
+#endif
 #include <vector>
 
 #include "reference/box.h"
@@ -9,6 +11,7 @@
 namespace rasterproof::reference {
 namespace {
 
+#if defined(__STDCPP_THREADS__)
 int ThreadsFor(const DrawOptions& options, int tile_rows) {
   const int wanted =
       options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
@@ -33,6 +36,14 @@ class Others {
  private:
   std::vector<std::thread> threads_;
 };
+#else
+int ThreadsFor(const DrawOptions& /*options*/, int /*tile_rows*/) { return 1; }
+
+struct Others {
+  template <class Work>
+  void Begin(const Work& /*work*/) {}
+};
+#endif
 
 }  // namespace
 

@@ -35,7 +35,7 @@ std::ptrdiff_t PitchOf(Sink sink, int width) {
   return static_cast<std::ptrdiff_t>(sink == Sink::kMask ? pixels / 8 : pixels);
 }
 
-bool Runs(Target target) {
+bool Runs([[maybe_unused]] Target target) {
 #if defined(__x86_64__)
   const bool sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt") &&
                     __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes");
@@ -65,7 +65,7 @@ bool Runs(Target target) {
 #endif
 }
 
-const KernelTable& TableOf(Target target) {
+const KernelTable& TableOf([[maybe_unused]] Target target) {
 #if defined(__x86_64__)
   switch (target) {
     case Target::kScalar:

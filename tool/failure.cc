@@ -206,18 +206,6 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
 
 }  // namespace
 
-std::string InOneLine(const std::string& json) {
-  std::string line;
-  bool is_indent = false;
-  for (const char c : json) {
-    if (c == '\n' && line.ends_with(',')) line += ' ';
-    if (c == '\n') is_indent = true;
-    if (is_indent && c != '\n' && c != ' ') is_indent = false;
-    if (!is_indent) line += c;
-  }
-  return line;
-}
-
 Case AsDrawn(const Case& c, const Verdict& verdict) {
   Case drawn = c;
   if (verdict.drawn == nullptr) return drawn;
@@ -313,20 +301,6 @@ report::Explanation Explain(const SubjectInfo& subject, const Case& given, const
   explanation.headline = verdict.message;
   explanation.replay = replay;
   return explanation;
-}
-
-Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info) {
-  if (!verdict.witness || info.coverage == CoverageKind::kFacingCounts) return verdict;
-  const auto facings = [](WitnessValue& value) {
-    return value.empty() ? nullptr : std::get_if<FacingCounts>(&value.front());
-  };
-  const auto sum = [](FacingCounts counts) { return std::int64_t{counts.front} + counts.back; };
-  const FacingCounts* const observed = facings(verdict.witness->observed);
-  const FacingCounts* const expected = facings(verdict.witness->expected);
-  if (!observed || !expected || sum(*observed) == sum(*expected)) return verdict;
-  verdict.witness->observed.front() = sum(*observed);
-  verdict.witness->expected.front() = sum(*expected);
-  return verdict;
 }
 
 std::string FailureLine(const SubjectInfo& subject, const std::string& property, const Case& given,

@@ -9,9 +9,13 @@
 #include "core/subject.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
+#include "io/check_json.h"
 #include "report/picture.h"
 
 namespace rasterproof::tool {
+
+using io::InOneLine;
+using io::WithCountsAsGiven;
 
 /// The case with the scene and the options that were drawn, if the verdict is of others than its
 /// own.
@@ -36,10 +40,6 @@ void SeeIfItCan(Subject& subject, const Case& c, Verdict& verdict);
 report::Explanation Explain(const SubjectInfo& subject, const Case& c, const Verdict& verdict,
                             const std::string& replay);
 
-/// The verdict with the witness's counts as the subject gave them: without facings if it shows none
-/// and the suite added them. Unchanged where only the facing is wrong.
-Verdict WithCountsAsGiven(Verdict verdict, const SubjectInfo& info);
-
 /// "property: triangle 0 (0x1p+0, 0x0p+0) ... => observed 2, expected 1; why". What the verdict
 /// does not tell is left out.
 std::string FailureLine(const SubjectInfo& subject, const std::string& property, const Case& c,
@@ -49,9 +49,6 @@ std::string FailureLine(const SubjectInfo& subject, const std::string& property,
 /// and how it was drawn, where that is not the plain way. Says only how large it is where that is
 /// more than anybody reads.
 std::string SceneLine(const Case& c);
-
-/// JSON of several lines as one.
-std::string InOneLine(const std::string& json);
 
 /// Returns the same for the case that the property drew instead, as a separate line; empty if it
 /// drew the case itself.

@@ -11,8 +11,10 @@ if(CCACHE AND PROJECT_IS_TOP_LEVEL)
 endif()
 
 # Third parties. Which folder may use which is in scripts/check_layers.
-find_package(Threads REQUIRED)
-if(NOT RASTERPROOF_FUZZING_ENGINE AND NOT RASTERPROOF_LIBRARY_ONLY)
+if(NOT RASTERPROOF_WEB)
+  find_package(Threads REQUIRED)
+endif()
+if(NOT RASTERPROOF_FUZZING_ENGINE AND NOT RASTERPROOF_LIBRARY_ONLY AND NOT RASTERPROOF_WEB)
   find_package(fmt REQUIRED)
   find_package(nlohmann_json REQUIRED)
   find_package(PNG REQUIRED)

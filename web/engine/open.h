@@ -1,0 +1,31 @@
+// What a check is opened with, from JSON.
+#ifndef RASTERPROOF_WEB_ENGINE_OPEN_H_
+#define RASTERPROOF_WEB_ENGINE_OPEN_H_
+
+#include <string_view>
+#include <vector>
+
+#include "core/subject_info.h"
+#include "props/property.h"
+#include "props/run/campaign_options.h"
+
+namespace rasterproof::web {
+
+struct Opened {
+  SubjectInfo info;
+  std::vector<const props::Property*> properties;
+  bool is_whole_catalogue = false;
+  props::CampaignOptions campaign;
+};
+
+/// Reads an object with the keys `subject` ({name, input: "float32" | "float64", coverage, visible,
+/// takes: ["window", "clip", "culling", "scissor"]}), `profile`, `properties`, `seed`, `cases` and
+/// `shrink`, the most evaluations of shrinking. All of them may be left out, as in a program's
+/// description: window space, float32, counts, profile real; every property, seed 1, 1000 cases.
+///
+/// Error:      InputError with the place.
+Opened OpenedFrom(std::string_view json);
+
+}  // namespace rasterproof::web
+
+#endif  // RASTERPROOF_WEB_ENGINE_OPEN_H_

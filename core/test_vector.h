@@ -42,6 +42,24 @@ struct JointVector {
   friend bool operator==(const JointVector&, const JointVector&) = default;
 };
 
+/// A number that is asked for, and the floats that the profile's error allows in its place.
+struct NumberVector {
+  std::string exact;  ///< "3", "-7/2"
+  float nearest = 0;
+  float low = 0;
+  float high = 0;
+};
+
+/// What a channel of the scene holds at a covered sample of a triangle.
+struct ValueVector {
+  std::size_t triangle = 0;
+  std::size_t sample = 0;
+  std::size_t channel = 0;
+  NumberVector value;
+  /// Along x and y, of the plane; nothing where the profile does not state these.
+  std::optional<std::array<NumberVector, 2>> derivatives = {};
+};
+
 /// A scene with its required coverage.
 ///
 /// Shape:      samples are indices in counts of the scene's target: [row][column][sample].
@@ -57,6 +75,9 @@ struct TestVector {
   std::vector<JointVector> joint;
   std::string domain;  ///< why it is hard, in words
   NearEdgeCounts near_edges;
+  /// One a vertex, if values are stated of the scene's channels.
+  std::vector<double> w = {};
+  std::vector<ValueVector> values = {};
 };
 
 /// What all vectors of a file share: its first line.
@@ -72,6 +93,7 @@ struct VectorsHeader {
   std::uint64_t cases = 0;
   std::uint64_t triangles = 0;
   std::uint64_t joint = 0;
+  std::optional<std::uint64_t> values = {};  ///< nothing: none are asked for
 };
 
 }  // namespace rasterproof

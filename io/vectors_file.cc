@@ -24,7 +24,7 @@
 namespace rasterproof::io {
 namespace {
 
-constexpr std::array<std::string_view, 13> kHeaderKeys{"rasterproof_vectors",
+constexpr std::array<std::string_view, 14> kHeaderKeys{"rasterproof_vectors",
                                                        "program",
                                                        "profile_name",
                                                        "profile",
@@ -35,11 +35,12 @@ constexpr std::array<std::string_view, 13> kHeaderKeys{"rasterproof_vectors",
                                                        "cases",
                                                        "triangles",
                                                        "joints",
+                                                       "values",
                                                        "body_fnv1a64",
                                                        kHeaderHashKey};
-constexpr std::array<std::string_view, 11> kVectorKeys{
-    "case",  "width",     "height",  "y_axis", "samples_256", "vertices",
-    "fixed", "triangles", "clauses", "why",    "near_edges"};
+constexpr std::array<std::string_view, 13> kVectorKeys{
+    "case", "width",    "height",    "y_axis",  "samples_256", "vertices",  "fixed",
+    "w",    "channels", "triangles", "clauses", "why",         "near_edges"};
 constexpr std::array<std::string_view, 6> kTriangleKeys{"vertices", "facing",  "must_top",
                                                         "must",     "may_top", "may"};
 constexpr std::array<std::string_view, 8> kJointKeys{"joint",     "column", "row",  "sample",
@@ -238,6 +239,7 @@ VectorsFile ParseVectors(std::string_view text, const std::string& place) {
   ReadLines(body, 2, [&](std::string_view line, std::size_t number) {
     const JsonDocument document(line, LinePlace(place, number));
     const JsonValue object = document.root();
+    if (object.kind() == JsonKind::kObject && object.Find("value")) return;
     if (object.kind() == JsonKind::kObject && object.Find("joint")) {
       const JsonValue name = object.Get("joint");
       const auto found = names.find(name.RequireName());

@@ -19,7 +19,7 @@ struct VectorsFile {
   std::vector<TestVector> vectors;  ///< each with another name
 };
 
-/// Reads the text of such a file; `place` names it in errors.
+/// Reads the text of such a file, but for its values; `place` names it in errors.
 ///
 /// Error:      InputError, with the line, for another version, a hash that is not the body's, and
 ///             whatever the writer would not have written.

@@ -1,10 +1,13 @@
 #include "report/vectors_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "core/channel.h"
 #include "core/hash_text.h"
 #include "core/sample_rows.h"
 #include "fmt/format.h"
@@ -19,6 +22,11 @@ void AddTexts(io::JsonWriter& json, std::string_view key, const std::vector<std:
   json.Key(key).BeginArray();
   for (const std::string& text : texts) json.Text(text);
   json.EndArray();
+}
+
+template <class Names, class Value>
+std::string_view NameIn(const Names& names, Value value) {
+  return std::ranges::find(names, value, &Names::value_type::first)->second;
 }
 
 template <class Numbers>
@@ -67,6 +75,50 @@ void AddTriangle(io::JsonWriter& json, const Triangle& corners, const TriangleVe
   json.EndObject();
 }
 
+void AddChannels(io::JsonWriter& json, const TestVector& vector) {
+  if (vector.w.empty()) return;
+  json.Key("w").BeginArray();
+  for (const double w : vector.w) json.Exact(w);
+  json.EndArray();
+  json.Key("channels").BeginArray();
+  for (const Channel& channel : vector.scene.channels) {
+    json.BeginObject().Key("name").Text(channel.name);
+    json.Key("interpolation").Text(NameIn(kInterpolationNames, channel.interpolation));
+    json.Key("at").Text(NameIn(kEvaluatedAtNames, channel.at));
+    json.Key("numbers").BeginArray();
+    for (const double number : channel.values) json.Exact(number);
+    json.EndArray().EndObject();
+  }
+  json.EndArray();
+}
+
+void AddNumber(io::JsonWriter& json, const NumberVector& number) {
+  json.Key("exact").Text(number.exact);
+  json.Key("nearest").Exact(static_cast<double>(number.nearest));
+  json.Key("low").Exact(static_cast<double>(number.low));
+  json.Key("high").Exact(static_cast<double>(number.high));
+}
+
+std::string ValueLine(const ValueVector& value, const TestVector& vector) {
+  const auto samples = static_cast<std::size_t>(vector.pattern.samples());
+  const auto width = static_cast<std::size_t>(vector.scene.width);
+  io::JsonWriter json;
+  json.BeginObjectLine();
+  json.Key("value").Text(vector.name).Key("triangle").Integer(value.triangle);
+  json.Key("column").Integer(value.sample / samples % width);
+  json.Key("row").Integer(value.sample / samples / width);
+  json.Key("sample").Integer(value.sample % samples);
+  json.Key("channel").Text(vector.scene.channels[value.channel].name);
+  AddNumber(json, value.value);
+  if (value.derivatives) {
+    const auto& [dx, dy] = *value.derivatives;
+    AddNumber(json.Key("dx").BeginObject(), dx);
+    AddNumber(json.EndObject().Key("dy").BeginObject(), dy);
+    json.EndObject();
+  }
+  return json.EndObject().Finish();
+}
+
 std::string JointLine(const JointVector& joint, const TestVector& vector,
                       const VectorsHeader& header) {
   const auto samples = static_cast<std::size_t>(vector.pattern.samples());
@@ -112,6 +164,7 @@ std::string VectorsHeaderLine(const VectorsHeader& header, std::string_view body
   json.Key("lattice_bits").Integer(header.lattice_bits);
   json.Key("cases").Integer(header.cases).Key("triangles").Integer(header.triangles);
   json.Key("joints").Integer(header.joint);
+  if (header.values) json.Key("values").Integer(*header.values);
   json.Key("body_fnv1a64").Text(HashText(body));
   const std::string hash = HashText(json.json());  // of all that comes before it
   return json.Key(kHeaderHashKey).Text(hash).EndObject().Finish();
@@ -128,6 +181,7 @@ std::string VectorLines(const TestVector& vector, const VectorsHeader& header) {
   json.Key("y_axis").Text(AxisWord(vector.y_axis));
   AddPattern(json, vector.pattern);
   AddVertices(json, vector);
+  AddChannels(json, vector);
   json.Key("triangles").BeginArray();
   for (std::size_t t = 0; t < vector.triangles.size(); ++t)
     AddTriangle(json, scene.triangles[t], vector.triangles[t], row_length);
@@ -138,6 +192,7 @@ std::string VectorLines(const TestVector& vector, const VectorsHeader& header) {
   json.Members(kNearEdgeCounters, vector.near_edges).EndObject();
   std::string lines = json.EndObject().Finish();
   for (const JointVector& joint : vector.joint) lines += JointLine(joint, vector, header);
+  for (const ValueVector& value : vector.values) lines += ValueLine(value, vector);
   return lines;
 }
 

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/channel.h"
 #include "core/hash_text.h"
 #include "core/sample_pattern.h"
 #include "core/sample_rows.h"
@@ -24,7 +27,7 @@ namespace {
 // Numbers in rows of one width; `names` says what each column is.
 struct NumberTable {
   std::string_view name;
-  std::vector<std::string_view> columns;
+  std::vector<std::string> columns;
   std::vector<std::vector<std::int64_t>> rows = {};
 };
 
@@ -37,13 +40,23 @@ struct VectorTables {
   NumberTable vertices{"vertices", {"x", "y"}};
   NumberTable triangles{"triangles", {"a", "b", "c", "facing", "first_row"}};
   NumberTable joint{"joints", {"column", "row", "sample", "triangles", "counts"}};
+  // Of floats their bits; only with values.
+  NumberTable channels{"channels", {"interpolation", "at"}};
+  NumberTable numbers{"numbers", {"w"}};  // and each channel's
+  NumberTable values{
+      "values",
+      {"case", "triangle", "column", "row", "sample", "channel", "nearest", "low", "high",
+       "dx_nearest", "dx_low", "dx_high", "dy_nearest", "dy_low", "dy_high"}};
+  bool has_values = false;
   std::vector<std::string> names;  // of the cases
   std::vector<std::string> must;   // rows of samples, all of the target's
   std::vector<std::string> may;
   std::size_t widest = 1;  // samples in a row
 
   std::vector<const NumberTable*> All() const {
-    return {&cases, &locations, &vertices, &triangles, &joint};
+    std::vector<const NumberTable*> all{&cases, &locations, &vertices, &triangles, &joint};
+    if (has_values) all.insert(all.end(), {&channels, &numbers, &values});
+    return all;
   }
 };
 
@@ -67,6 +80,56 @@ std::int64_t PlaceOfPattern(const SamplePattern& pattern, NumberTable& locations
   const auto place = found.begin() - locations.rows.begin();
   if (found.empty()) locations.rows.insert(locations.rows.end(), rows.begin(), rows.end());
   return place;
+}
+
+std::int64_t BitsOfFloat(double x) { return std::bit_cast<std::int32_t>(static_cast<float>(x)); }
+
+// All vectors of a file have the same channels.
+void NameChannels(const std::vector<Channel>& channels, VectorTables& tables) {
+  if (!tables.channels.rows.empty()) return;
+  for (const Channel& channel : channels) {
+    tables.channels.rows.push_back(
+        {static_cast<int>(channel.interpolation), static_cast<int>(channel.at)});
+    std::string name = channel.name;
+    std::ranges::replace(name, '-', '_');
+    tables.numbers.columns.push_back(std::move(name));
+  }
+}
+
+void AddNumber(const NumberVector& number, std::vector<std::int64_t>& row) {
+  for (const float x : {number.nearest, number.low, number.high})
+    row.push_back(BitsOfFloat(static_cast<double>(x)));
+}
+
+// What is stated of no derivative lies between the infinities.
+void AddValues(const TestVector& vector, VectorTables& tables) {
+  if (vector.w.empty()) return;
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const NumberVector anything{"", 0, -kInfinity, kInfinity};
+  tables.has_values = true;
+  NameChannels(vector.scene.channels, tables);
+  for (std::size_t v = 0; v < vector.w.size(); ++v) {
+    std::vector<std::int64_t>& row = tables.numbers.rows.emplace_back();
+    row.push_back(BitsOfFloat(vector.w[v]));
+    for (const Channel& channel : vector.scene.channels)
+      row.push_back(BitsOfFloat(channel.values.empty() ? 1 : channel.values[v]));
+  }
+  const auto samples = static_cast<std::size_t>(vector.pattern.samples());
+  const auto width = static_cast<std::size_t>(vector.scene.width);
+  const std::size_t first_triangle = tables.triangles.rows.size() - vector.triangles.size();
+  for (const ValueVector& value : vector.values) {
+    const std::size_t pixel = value.sample / samples;
+    std::vector<std::int64_t>& row = tables.values.rows.emplace_back();
+    row = {Signed(tables.cases.rows.size() - 1),
+           Signed(first_triangle + value.triangle),
+           Signed(pixel % width),
+           Signed(pixel / width),
+           Signed(value.sample % samples),
+           Signed(value.channel)};
+    AddNumber(value.value, row);
+    AddNumber(value.derivatives ? (*value.derivatives)[0] : anything, row);
+    AddNumber(value.derivatives ? (*value.derivatives)[1] : anything, row);
+  }
 }
 
 void AddVector(const TestVector& vector, VectorTables& tables) {
@@ -97,6 +160,7 @@ void AddVector(const TestVector& vector, VectorTables& tables) {
                                  Signed(joint.sample % samples), BitsOfNumbers(joint.triangles),
                                  BitsOfNumbers(joint.counts)});
   }
+  AddValues(vector, tables);
 }
 
 VectorTables TablesOf(const std::vector<TestVector>& vectors) {
@@ -118,27 +182,34 @@ std::string HeadOfTables(const VectorsHeader& header, const VectorTables& tables
   return fmt::format(
       "// rasterproof vectors, format {}, by {}\n"
       "// profile {}: {}\n"
-      "// {}, {} cases, {} triangles, {} joint constraints, widest row {} samples\n"
+      "// {}, {} cases, {} triangles, {} joint constraints{}, widest row {} samples\n"
       "// required of a triangle by {}\n"
       "// required jointly by {}\n"
       "// body fnv1a64 {}\n",
       kVectorsVersion, header.program, header.profile.name, io::WholeProfileLine(header.profile),
-      drawn, header.cases, header.triangles, header.joint, tables.widest,
+      drawn, header.cases, header.triangles, header.joint,
+      tables.has_values ? fmt::format(", {} values", *header.values) : "", tables.widest,
       clauses(header.sample_clauses), clauses(header.joint_clauses), hash);
 }
 
 // The parameters of the tables: name and value.
 std::vector<std::pair<std::string_view, std::int64_t>> ParametersOf(const VectorsHeader& header,
                                                                     const VectorTables& tables) {
-  return {{"VERSION", kVectorsVersion},
-          {"LATTICE_BITS", header.lattice_bits},
-          {"Y_UP", header.profile.y_axis == YAxis::kUp ? 1 : 0},
-          {"CASES", Signed(tables.cases.rows.size())},
-          {"LOCATIONS", Signed(tables.locations.rows.size())},
-          {"VERTICES", Signed(tables.vertices.rows.size())},
-          {"TRIANGLES", Signed(tables.triangles.rows.size())},
-          {"JOINTS", Signed(tables.joint.rows.size())},
-          {"ROWS", Signed(tables.must.size())}};
+  std::vector<std::pair<std::string_view, std::int64_t>> parameters{
+      {"VERSION", kVectorsVersion},
+      {"LATTICE_BITS", header.lattice_bits},
+      {"Y_UP", header.profile.y_axis == YAxis::kUp ? 1 : 0},
+      {"CASES", Signed(tables.cases.rows.size())},
+      {"LOCATIONS", Signed(tables.locations.rows.size())},
+      {"VERTICES", Signed(tables.vertices.rows.size())},
+      {"TRIANGLES", Signed(tables.triangles.rows.size())},
+      {"JOINTS", Signed(tables.joint.rows.size())},
+      {"ROWS", Signed(tables.must.size())}};
+  if (tables.has_values) {
+    parameters.emplace_back("CHANNELS", Signed(tables.channels.rows.size()));
+    parameters.emplace_back("VALUES", Signed(tables.values.rows.size()));
+  }
+  return parameters;
 }
 
 // The words of 64 bits of a row, the one of the first samples first.

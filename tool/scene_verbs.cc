@@ -338,6 +338,9 @@ void AddVectorsVerb(CLI::App& app, Run& run) {
     world->excludes(generate->get_option(of_drawn));
   generate->add_flag("--yes", generate_options.yes, "Accept a world of any number of cases")
       ->needs(world);
+  generate->add_flag("--values", generate_options.values,
+                     "Also what channels hold at covered samples, and the floats that the "
+                     "profile's error allows");
   generate->add_option("--format", generate_options.format, "Format of the files")
       ->check(CLI::IsMember({"jsonl", "c", "readmemh"}))
       ->capture_default_str();

@@ -25,6 +25,7 @@
 #include "props/properties/clause_lists.h"
 #include "props/run/near_edge.h"
 #include "props/run/property_domains.h"
+#include "props/vectors/value_vectors.h"
 
 namespace rasterproof::props {
 namespace {
@@ -184,6 +185,7 @@ std::optional<TestVector> VectorOf(const Case& c, const VectorChoice& choice) {
   if (choice.only_on_lattice && !vector.on_lattice) return std::nullopt;
   if (!State(scene, profile, vector)) return std::nullopt;
   vector.near_edges = CountNearEdges(c);
+  if (choice.with_values) StateValues(profile, vector);
   return vector;
 }
 

@@ -25,6 +25,8 @@ struct VectorChoice {
   std::uint64_t cases = 500;
   /// Only cases with vertices in units of the lattice.
   bool only_on_lattice = false;
+  /// With values: for profiles of one model.
+  bool with_values = false;
 };
 
 /// Throws InputError if no vectors can be made for the profile: single samples are not what it

@@ -5,6 +5,7 @@ usage: vectors_test.py PROGRAM SOURCES C-COMPILER
 """
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -29,10 +30,10 @@ class ReadersTest(unittest.TestCase):
         return subprocess.run(command, capture_output=True, cwd=self.folder.name, timeout=900,
                               text=True)  # fmt: skip
 
-    def generate(self, profile, form, out):
+    def generate(self, profile, form, out, *more):
         cases = FEW_CASES if os.path.exists(profile) else CASES
         done = self.run_here(PROGRAM, "vectors", "generate", "--profile", profile,
-                             "--cases", cases, "--format", form, "--out", out)  # fmt: skip
+                             "--cases", cases, "--format", form, "--out", out, *more)  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stderr)
 
     def judge(self, profile, right, wrong):
@@ -69,6 +70,38 @@ class ReadersTest(unittest.TestCase):
                                      "-o", f"reader{inclusive}")  # fmt: skip
                 self.assertEqual(done.returncode, 0, done.stderr)
             self.judge(profile, ["./reader0"], ["./reader1"])
+
+    def judge_values(self, right, wrong):
+        done = self.run_here(*right)
+        self.assertRegex(done.stdout, r"\A0 of \d{4,} values are wrong\n\Z", done.stderr)
+        done = self.run_here(*wrong)
+        counts = re.search(r"^(\d+) of (\d+) values are wrong\n\Z", done.stdout, re.M)
+        self.assertGreater(int(counts[1]), int(counts[2]) // 4, "affine for perspective")
+
+    def test_values_in_c(self):
+        profile = os.path.join(self.folder.name, "linear.json")
+        values = {"linear": True, "inverse_w": True, "centres": True}
+        with open(profile, "w", encoding="utf-8") as file:
+            json.dump({"name": "mine", "subpixel_bits": 8, "coordinate_limit": 4096,
+                       "values": values}, file)  # fmt: skip
+        for name in ("d3d11-canonical", profile):
+            self.generate(name, "c", "vectors.h", "--values")
+            for affine in ("0", "1"):
+                done = self.run_here(COMPILER, "-std=c99", "-O1", "-Wall", "-Wextra", "-Werror",
+                                     "-I.", f"-DAFFINE={affine}",
+                                     os.path.join(READERS, "values.c"),
+                                     "-o", f"values{affine}")  # fmt: skip
+                self.assertEqual(done.returncode, 0, done.stderr)
+            self.judge_values(["./values0"], ["./values1"])
+
+    @unittest.skipUnless(shutil.which("iverilog"), "iverilog is not installed")
+    def test_values_in_systemverilog(self):
+        self.generate("d3d11-canonical", "readmemh", ".", "--values")
+        for affine in ("0", "1"):
+            done = self.run_here("iverilog", "-g2012", "-I.", "-P", f"values.AFFINE={affine}",
+                                 "-o", f"values{affine}", os.path.join(READERS, "values.sv"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+        self.judge_values(["vvp", "-n", "values0"], ["vvp", "-n", "values1"])
 
     @unittest.skipUnless(shutil.which("iverilog"), "iverilog is not installed")
     def test_systemverilog(self):

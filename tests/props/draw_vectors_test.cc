@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
@@ -13,10 +14,14 @@
 
 #include "core/coverage.h"
 #include "core/error.h"
+#include "core/ulp.h"
 #include "exact/coverage.h"
+#include "exact/values.h"
 #include "legal/decided.h"
 #include "legal/joint.h"
+#include "model/snap_scene.h"
 #include "props/vectors/stated_world.h"
+#include "props/vectors/value_vectors.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {
@@ -160,6 +165,45 @@ TEST(Vectors, AreTheSameEachTimeAndOthersUnderAnotherSeed) {
   });
   ASSERT_EQ(others.size(), 2U);
   EXPECT_NE(others[0].scene, vectors[0].scene);
+}
+
+// The ends of each interval hold, and the floats beside them do not: by the oracle, from the error
+// as it is stated.
+TEST(Vectors, HaveIntervalsOfValuesWithExactEnds) {
+  Profile profile = *PresetProfile("d3d11-canonical");
+  profile.values.error = {.ulps = 1.5, .absolute = 0x1p-30};
+  std::size_t values = 0;
+  DrawVectors(profile, {.cases = 40, .with_values = true}, [&](const TestVector& vector) {
+    const Scene placed = SnapVertices(vector.scene, {profile, vector.scene});
+    for (const ValueVector& value : vector.values) {
+      const Triangle& t = vector.scene.triangles[value.triangle];
+      std::array<Point2, 3> at{};
+      std::array<double, 3> w{}, a{};
+      for (std::size_t i = 0; i < 3; ++i) {
+        const auto v = static_cast<std::size_t>(t[i]);
+        at[i] = WindowPoint(placed.vertices[v]);
+        w[i] = vector.w[v];
+        a[i] = vector.scene.channels[value.channel].values[v];
+      }
+      const auto width = static_cast<std::size_t>(vector.scene.width);
+      const exact::Interpolant there(exact::WindowTriangle(at, w),
+                                     {static_cast<double>(value.sample % width) + 0.5,
+                                      static_cast<double>(value.sample / width) + 0.5});
+      const auto exact = *there.Value(Interpolation::kPerspective, exact::ToAttribute(a));
+      const auto holds = [&](float x) {
+        return exact::IsWithin(static_cast<double>(x), exact, 0, profile.values.error,
+                               Precision::kFloat32);
+      };
+      EXPECT_EQ(value.value.nearest, exact.ToFloat());
+      EXPECT_TRUE(holds(value.value.low) && holds(value.value.high)) << vector.name;
+      EXPECT_FALSE(holds(MoveByUlps(value.value.low, -1))) << vector.name;
+      EXPECT_FALSE(holds(MoveByUlps(value.value.high, 1))) << vector.name;
+      ++values;
+    }
+    return true;
+  });
+  EXPECT_GT(values, 1000U);
+  EXPECT_THROW(RequireStatesValues(*PresetProfile("d3d11")), InputError);
 }
 
 TEST(Vectors, AreRefusedToProfilesThatStateNoSingleSamples) {

@@ -3,11 +3,13 @@
 usage: vectors_test.py PROGRAM SOURCES [TEST ...]
 """
 import json
+import math
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
+from fractions import Fraction
 
 PROGRAM = os.path.abspath(sys.argv[1])
 SOURCES = os.path.abspath(sys.argv[2])
@@ -30,6 +32,31 @@ def samples(top, rows, row_length):
 def rows_of(covered, row_length, height):
     return [f"{sum(1 << s % row_length for s in covered if s // row_length == row):x}"
             for row in range(height)]  # fmt: skip
+
+
+def interpolated(case, line, channel):
+    """The value, and its derivatives by x and y, by the definition."""
+    corners = case["triangles"][line["triangle"]]["vertices"]
+    (x0, y0), (x1, y1), (x2, y2) = [[Fraction(c, 256) for c in case["fixed"][v]] for v in corners]
+    w = [Fraction(float.fromhex(case["w"][v])) for v in corners]
+    kind = channel["interpolation"]
+    a = [Fraction(float.fromhex(channel["numbers"][v])) if channel["numbers"] else Fraction(1)
+         for v in corners]  # fmt: skip
+    x, y = (line[key] + Fraction(at, 256) for key, at in
+            zip(("column", "row"), case["samples_256"][line["sample"]]))  # fmt: skip
+    edges = [((y2 - y1), (x1 - x2), x2 * y1 - x1 * y2), ((y0 - y2), (x2 - x0), x0 * y2 - x2 * y0),
+             ((y1 - y0), (x0 - x1), x1 * y0 - x0 * y1)]  # fmt: skip
+    above, below = ([sum(e[k] * f for e, f in zip(edges, factors)) for k in range(3)]
+                    for factors in ([t if kind == "linear" else t / u for t, u in zip(a, w)],
+                                    [1 / u if kind == "perspective" else 1 for u in w]))
+    n, d = (f[0] * x + f[1] * y + f[2] for f in (above, below))
+    return n / d, *((above[k] * d - n * below[k]) / d**2 for k in (0, 1))
+
+
+def as_float(number):
+    """Rounded once, ties to even: within the normal floats and below."""
+    exponent = max(math.frexp(float(number))[1] - 24, -149) if number else 0
+    return math.ldexp(round(number / Fraction(2) ** exponent), exponent)
 
 
 class VectorsTest(unittest.TestCase):
@@ -92,6 +119,49 @@ class VectorsTest(unittest.TestCase):
         other = run("generate", "--profile", "vulkan", "--cases", CASES, "--seed", "2")
         self.assertNotEqual(json.loads(other.stdout.split("\n", 1)[0])["body_fnv1a64"],
                             BODIES["vulkan"])  # fmt: skip
+
+    def test_values_are_those_of_the_definition(self):
+        """By fractions, from the places of the lattice."""
+        analytic = {"derivatives": "analytic", "linear": True, "inverse_w": True}
+        profile = self.write("analytic.json", json.dumps(
+            {"name": "mine", "subpixel_bits": 8, "coordinate_limit": 4096,
+             "values": {"error": {"ulps": 2, "conditions": 3}, "derivative_error": {"ulps": 4},
+                        **analytic}}))  # fmt: skip
+        done = run("generate", "--profile", profile, "--cases", "24", "--values")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        header, *lines = map(json.loads, done.stdout.splitlines())
+        self.assertEqual(header["values"], sum("value" in line for line in lines))
+        kinds = set()
+        for line in lines:
+            if "case" in line:
+                case = line
+            elif "value" in line:
+                self.assertEqual(case["case"], line["value"])
+                channel, = (c for c in case["channels"] if c["name"] == line["channel"])
+                kinds.add(channel["interpolation"])
+                exact = interpolated(case, line, channel)
+                for shown, number in zip((line, line["dx"], line["dy"]), exact):
+                    self.assertEqual(Fraction(shown["exact"]), number, line)
+                    low, nearest, high = (float.fromhex(shown[key])
+                                          for key in ("low", "nearest", "high"))  # fmt: skip
+                    self.assertEqual(as_float(number), nearest)
+                    self.assertLess(low, high)
+                    self.assertTrue(low <= nearest <= high)
+        self.assertEqual(kinds, {"perspective", "linear", "inverse-w"})
+        self.assertGreater(header["values"], 200)
+
+    def test_values_change_nothing_else(self):
+        _, lines = self.vectors["d3d11-canonical"]
+        done = run("generate", "--profile", "d3d11-canonical", "--cases", CASES, "--values")
+        others = [json.loads(line) for line in done.stdout.splitlines()[1:]]
+        cases = [{key: v for key, v in line.items() if key not in ("w", "channels")}
+                 for line in others if "value" not in line]  # fmt: skip
+        self.assertEqual(cases, lines[1:])
+        path = self.write("values.jsonl", done.stdout)
+        done = run("verify", path, "--subject", "i64-snap8")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.refused(run("generate", "--profile", "vulkan", "--values"),
+                     "leaves open where vertices lie")  # fmt: skip
 
     def test_the_hash_is_that_of_the_lines_after_the_first(self):
         path, lines = self.vectors["vulkan"]

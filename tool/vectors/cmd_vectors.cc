@@ -17,6 +17,7 @@
 #include "io/output.h"
 #include "props/vectors/draw_vectors.h"
 #include "props/vectors/stated_world.h"
+#include "props/vectors/value_vectors.h"
 #include "report/vectors_json.h"
 #include "report/vectors_tables.h"
 #include "tool/environment.h"
@@ -42,6 +43,7 @@ VectorsHeader HeaderOf(const GenerateOptions& options, const Profile& profile) {
   header.lattice_bits = props::LatticeBitsOf(profile);
   header.sample_clauses = props::SampleClausesOf(profile);
   header.joint_clauses = props::JointClausesOf(profile);
+  if (options.values) header.values = 0;
   return header;
 }
 
@@ -58,7 +60,8 @@ WorldCost CostOf(const props::StatedWorld& world, const VectorsHeader& header) {
   const auto before = std::chrono::steady_clock::now();
   for (std::uint64_t k = 0; k < measured; ++k) {
     const std::uint64_t index = k * (world.Cases() / measured);
-    const auto vector = props::VectorOf(CaseOfStatedWorld(world, index, header.profile), {});
+    const auto vector = props::VectorOf(CaseOfStatedWorld(world, index, header.profile),
+                                        {.with_values = header.values.has_value()});
     if (vector) bytes += report::VectorLines(*vector, header).size();
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - before;
@@ -98,7 +101,9 @@ void TakeWorld(const props::StatedWorld& world, const VectorsHeader& header,
 // Draws the vectors, counts them in the header and hands each to `keep`.
 template <class Keep>
 void DrawAll(const GenerateOptions& options, VectorsHeader& header, const Keep& keep) {
-  props::VectorChoice choice{.seed = options.seed, .only_on_lattice = options.format != "jsonl"};
+  props::VectorChoice choice{.seed = options.seed,
+                             .only_on_lattice = options.format != "jsonl",
+                             .with_values = options.values};
   choice.cases = options.level == 1 ? kCasesOfLevel1 : kCasesOfLevel2;
   if (options.cases != 0) choice.cases = options.cases;
   std::optional<props::StatedWorld> world;
@@ -110,6 +115,7 @@ void DrawAll(const GenerateOptions& options, VectorsHeader& header, const Keep& 
     ++header.cases;
     header.triangles += vector.triangles.size();
     header.joint += vector.joint.size();
+    if (header.values) *header.values += vector.values.size();
     keep(vector);
     progress.Done(header.cases);
     return true;
@@ -131,6 +137,7 @@ int RunGenerate(const GenerateOptions& options) {
   RequireHonestEnvironment();
   const Profile profile = io::ReadProfile(options.profile);
   props::RequireStatesSamples(profile);
+  if (options.values) props::RequireStatesValues(profile);
   VectorsHeader header = HeaderOf(options, profile);
   if (options.format == "readmemh") {
     if (options.output == "-") {

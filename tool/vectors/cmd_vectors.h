@@ -15,6 +15,7 @@ struct GenerateOptions {
   std::uint64_t cases = 0;       ///< 0: as many as the level has
   std::string world;             ///< "3.2": every triangle of it; empty: drawn cases
   bool yes = false;              ///< accept a world of any size
+  bool values = false;           ///< with values of channels
   std::string format = "jsonl";  ///< or "c", "readmemh"
   std::string output = "-";      ///< file; of readmemh a folder
 };

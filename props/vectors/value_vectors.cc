@@ -44,19 +44,27 @@ float FirstFloat(double out, double in, const Holds& holds) {
   return MoveByUlps(x, 1);
 }
 
-// `tolerance`: within 2^-30 of the number and itself of what `holds` decides by.
+// The least float that is allowed about a number. The tolerance is that of `holds` but for a share
+// of 2^-30; or for a factor of two, where the number and its estimate have different ulps.
+template <class Holds>
+float LeastAllowed(double about, double tolerance, const Holds& holds) {
+  const double slack = 0x1p-30 * (std::fabs(about) + tolerance);
+  const double out = about - tolerance - slack;
+  const double in = about - tolerance + slack;
+  const bool is_between = !holds(MoveByUlps(static_cast<float>(out), -1)) &&
+                          holds(MoveByUlps(static_cast<float>(in), 1));
+  return is_between ? FirstFloat(out, in, holds) : FirstFloat(out - tolerance, about, holds);
+}
+
 template <class Holds>
 std::optional<NumberVector> NumberOf(const exact::Rational& number, double tolerance,
                                      const Holds& holds) {
   const double about = number.ToDouble();
   NumberVector stated{number.ToString(), number.ToFloat(), 0, 0};
   if (!std::isfinite(stated.nearest) || !holds(stated.nearest)) return std::nullopt;
-  const double slack = 0x1p-30 * (std::fabs(about) + tolerance);
-  const double out = std::fabs(about) + tolerance + slack;
-  if (!(out < LargestNumber(Precision::kFloat32))) return std::nullopt;
-  stated.low = FirstFloat(about - tolerance - slack, about - tolerance + slack, holds);
-  stated.high = 0 - FirstFloat(-(about + tolerance + slack), -(about + tolerance - slack),
-                               [&](float x) { return holds(-x); });
+  if (!(std::fabs(about) + 4 * tolerance < LargestNumber(Precision::kFloat32))) return std::nullopt;
+  stated.low = LeastAllowed(about, tolerance, holds);
+  stated.high = 0 - LeastAllowed(-about, tolerance, [&](float x) { return holds(-x); });
   return stated;
 }
 

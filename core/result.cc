@@ -11,6 +11,7 @@ void PropertyResult::AddCase(const Verdict& verdict) {
   exercised += verdict.exercised;
   not_judged += verdict.not_judged;
   in_gaps += verdict.in_gaps;
+  indistinct += verdict.indistinct;
   worst_ratio = std::max(worst_ratio, verdict.worst_ratio);
   if (verdict.front_sign) ++(*verdict.front_sign > 0 ? positive_fronts : negative_fronts);
   if (verdict.outcome == Outcome::kRefused) ++cases_refused;

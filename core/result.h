@@ -92,8 +92,9 @@ struct PropertyResult {
   std::uint64_t exercised = 0;        ///< times the property was exercised
   std::uint64_t cases_refused = 0;    ///< cases that the subject refused
   std::uint64_t not_judged = 0;       ///< samples that a legal choice of the subject's leaves open
-  std::uint64_t in_gaps = 0;  ///< samples in none of a scene's triangles, and enclosed by them
-  double worst_ratio = 0;     ///< largest error / bound
+  std::uint64_t in_gaps = 0;     ///< samples in none of a scene's triangles, and enclosed by them
+  std::uint64_t indistinct = 0;  ///< numbers that would hold with exchanged corners, too
+  double worst_ratio = 0;        ///< largest error / bound
   // Cases in which the subject showed the side of this area as the front, where either is legal.
   std::uint64_t positive_fronts = 0;
   std::uint64_t negative_fronts = 0;
@@ -141,6 +142,7 @@ inline constexpr auto kCaseCounters = std::to_array<Counter<PropertyResult>>(
      {"cases_refused", &PropertyResult::cases_refused},
      {"not_judged", &PropertyResult::not_judged},
      {"in_gaps", &PropertyResult::in_gaps},
+     {"indistinct", &PropertyResult::indistinct},
      {"positive_fronts", &PropertyResult::positive_fronts},
      {"negative_fronts", &PropertyResult::negative_fronts},
      {"not_applicable", &PropertyResult::not_applicable},
@@ -155,6 +157,11 @@ inline std::string NameOf(const PropertyResult& result) {
 inline bool IsExhausted(const PropertyResult& result) {
   return result.outcome == Outcome::kHolds && !result.world.empty() &&
          result.cases == result.world_cases && result.cases_refused == 0 && result.not_judged == 0;
+}
+
+/// Returns whether the stated error lets most numbers of exchanged corners pass.
+inline bool HasWideError(const PropertyResult& result) {
+  return result.indistinct > result.exercised;
 }
 
 /// Returns whether it is a violation that fails the run.

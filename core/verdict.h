@@ -59,6 +59,9 @@ struct Verdict {
   /// Samples in none of the scene's triangles, and enclosed by them: a crack or a hole that the
   /// scene itself has, if the property looks for gaps.
   std::uint64_t in_gaps = 0;
+  /// Numbers beside `exercised` that hold, and would if corners were exchanged or the other plane
+  /// were meant, though these give another number: the stated error is that wide.
+  std::uint64_t indistinct = 0;
   /// The sign of the area of the side that the subject shows as its front, if the profile leaves
   /// that open and the property observes it.
   std::optional<int> front_sign = std::nullopt;

@@ -76,6 +76,14 @@ std::string FrontText(const PropertyResult& result) {
   return result.positive_fronts == 0 ? "" : "front is the side of positive area, for all triangles";
 }
 
+// A stated error by which most numbers of exchanged corners pass.
+std::string WidthText(const PropertyResult& result) {
+  if (!HasWideError(result)) return "";
+  return "the stated error is so wide that exchanged corners, or the other plane, would pass on " +
+         std::to_string(result.indistinct) + " of " +
+         std::to_string(result.indistinct + result.exercised) + " values";
+}
+
 std::string SizeOf(const GridsOnTarget& grids) {
   return std::to_string(grids.width) + " x " + std::to_string(grids.height);
 }
@@ -219,6 +227,7 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
     said.outcome = Outcome::kNotExercised;
     if (result.exercised == 0) said.message = "no case exercised the property";
     AddSentence(said.message, dead);
+    AddSentence(said.message, WidthText(result));
     return said;
   }
   if (result.cases_refused != 0) {
@@ -227,6 +236,7 @@ Conclusion OfCounters(const SubjectInfo& info, const Property& property,
   }
   AddSentence(said.message, FrontText(result));
   AddSentence(said.message, GridText(result));
+  AddSentence(said.message, WidthText(result));
   return said;
 }
 

@@ -151,6 +151,7 @@ void CaseJudge::Take(Answers answers) {
   sum_.exercised += verdict.exercised;
   sum_.not_judged += verdict.not_judged;
   sum_.in_gaps += verdict.in_gaps;
+  sum_.indistinct += verdict.indistinct;
   sum_.worst_ratio = std::max(sum_.worst_ratio, verdict.worst_ratio);
   if (!sum_.front_sign) sum_.front_sign = verdict.front_sign;
   if (!sum_.grids) sum_.grids = verdict.grids;

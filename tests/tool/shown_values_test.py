@@ -2,7 +2,9 @@
 
 usage: shown_values_test.py PROGRAM PLUGINS
 """
+import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -50,6 +52,34 @@ class Descriptions(unittest.TestCase):
             done = run("check", "--cases", "2", "--no-cause", "--subject", file.name,
                        "--property", "FragmentBarycentricsSumToOne")  # fmt: skip
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+class WideErrors(unittest.TestCase):
+    def check(self, error):
+        with tempfile.NamedTemporaryFile("w", suffix=".json", encoding="utf-8") as file:
+            values = {"weights": "perspective", "error": {"absolute": error}}
+            json.dump({"name": "mine", "contract": "none", "values": values}, file)
+            file.flush()
+            return run("check", "--subject", "mutant:values-exchanged", "--profile", file.name,
+                       "--property", "ValuesStayWithinTheirError", "--cases", "20", "--no-cause")
+
+    def test_an_error_by_which_exchanged_corners_pass_is_told(self):
+        wide = self.check(1e30)
+        self.assertEqual(wide.returncode, 4, wide.stdout + wide.stderr)
+        told = re.search(r"the stated error is so wide that exchanged corners, or the other plane, "
+                         r"would pass on (\d+) of (\d+) values", wide.stdout)  # fmt: skip
+        self.assertTrue(told, wide.stdout)
+        self.assertEqual(told[1], told[2])
+        self.assertGreater(int(told[1]), 1000)
+        narrow = self.check(1e-30)
+        self.assertEqual(narrow.returncode, 1, narrow.stdout + narrow.stderr)
+        self.assertNotIn("so wide", narrow.stdout)
+
+    def test_a_sound_rasterizer_of_a_narrow_error_is_not_told_so(self):
+        held = run("check", "--subject", "legal:values-rounded-correctly", "--property",
+                   "ValuesStayWithinTheirError", "--cases", "20")  # fmt: skip
+        self.assertEqual(held.returncode, 0, held.stdout + held.stderr)
+        self.assertNotIn("so wide", held.stdout)
 
 
 class Hosted(unittest.TestCase):

@@ -76,6 +76,7 @@ bool IsOfInterest(const Finding& finding) {
   const PropertyResult& result = finding.result;
   // Whoever gives a scene with a crack would see the crack.
   if (result.in_gaps != 0 && !finding.place.empty()) return true;
+  if (HasWideError(result)) return true;
   return result.outcome != Outcome::kHolds && result.outcome != Outcome::kNotExercised;
 }
 

@@ -15,16 +15,20 @@ namespace rasterproof::props {
 template <class Judge>
 Verdict OneByOne(std::size_t n, const Judge& judge) {
   std::uint64_t exercised = 0;
+  std::uint64_t indistinct = 0;
   double worst = 0;
   for (std::size_t k = 0; k < n; ++k) {
     Verdict verdict = judge(k);
     exercised += verdict.exercised;
+    indistinct += verdict.indistinct;
     worst = std::max(worst, verdict.worst_ratio);
     if (verdict.outcome != Outcome::kViolated) continue;
     verdict.exercised = exercised;
     return verdict;
   }
-  return Verdict::Held(exercised, worst);
+  Verdict held = Verdict::Held(exercised, worst);
+  held.indistinct = indistinct;
+  return held;
 }
 
 }  // namespace rasterproof::props

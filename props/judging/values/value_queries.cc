@@ -368,7 +368,13 @@ ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const Va
   const std::optional<ValueRange> range = RangeOf(shown, f, owners, channel, numbers);
   if (!range) return check;
   check.is_judged = true;
-  check.tells = TellsMistakes(*range, f, owners.corners.front(), channel, numbers);
+  const RayCorners& first = owners.corners.front();
+  check.tells = TellsMistakes(*range, f, first, channel, numbers);
+  if (!check.tells && shown.rule.error.IsStated()) {
+    ValueRange exact = *range;
+    exact.tolerance = 0;
+    check.is_too_wide = TellsMistakes(exact, f, first, channel, numbers);
+  }
   if (range->SurelyHolds(x)) {
     const double off = std::max({range->low - x, x - range->high, 0.0});
     check.ratio = range->tolerance > 0 ? off / range->tolerance : 0;

@@ -112,6 +112,8 @@ struct ValueCheck {
   /// Whether the number would not hold if two vertices' numbers were exchanged, or, in clip space,
   /// if the plane were that of the screen instead of the triangle's, or the other way round.
   bool tells = false;
+  /// Whether only the width of the stated error keeps it from telling.
+  bool is_too_wide = false;
   WitnessValue expected = {};
 };
 

@@ -16,6 +16,7 @@ namespace values_stay_within_their_error {
 // A number that an exchange of vertices, or the other plane, would give as well shows nothing.
 Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
   std::uint64_t exercised = 0;
+  std::uint64_t indistinct = 0;
   double worst = 0;
   for (std::size_t k = 0; k < shown.channels.size(); ++k) {
     const Channel& channel = shown.channels[k];
@@ -27,9 +28,12 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     if (!check.holds)
       return ValueViolation(f, channel, "is off by more than its error", {x}, check.expected);
     exercised += check.tells ? 1 : 0;
+    indistinct += check.is_too_wide ? 1 : 0;
     worst = std::max(worst, check.ratio);
   }
-  return Verdict::Held(exercised, worst);
+  Verdict held = Verdict::Held(exercised, worst);
+  held.indistinct = indistinct;
+  return held;
 }
 
 Checks Ask(const PlacedCase& c, const Description& subject) {

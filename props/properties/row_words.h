@@ -5,6 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/profile.h"
+#include "core/sample_pattern.h"
 #include "props/judging/gate.h"
 
 namespace rasterproof::props {
@@ -35,6 +37,14 @@ constexpr Gate AsksOf(Shows shows, std::span<const ProfileRule> rules, std::stri
   gate.where = where;
   return gate;
 }
+
+inline constexpr ProfileRule kStatesCentroids{
+    [](const Profile& p) {
+      return p.centroid == Centroid::kInside ||
+             (p.centroid == Centroid::kDirect3D && p.sample_positions == SamplePositions::kStated);
+    },
+    "centroid inside, or centroid direct3d and stated sample positions",
+    "the profile does not state where centroids lie"};
 
 // Where: see Gate.
 inline constexpr std::string_view kAreaNotZero = "area not zero";

@@ -22,6 +22,7 @@ using Question = ValueQuestion;
 
 constexpr std::string_view kValuesKill = "ValuesStayWithinTheirError";
 constexpr std::string_view kBarycentricsKill = "ClipBarycentricsStayWithinTheirError";
+constexpr std::string_view kCentroidsKill = "CentroidValuesStayWithinTheirError";
 constexpr std::string_view kFlatKills = "FlatValuesComeFromTheProvokingVertex";
 
 ChannelStages Asking(std::function<void(Question&)> asked) {
@@ -133,6 +134,21 @@ bool ReachesBehindTheEye(const Question& q) {
 bool HasNegativeArea(const Question& q) {
   const HomogeneousCorners& v = q.placed;
   return (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x) < 0;
+}
+
+void StateCentroids(ChannelStages& stages) {
+  StateFourSamples(stages);
+  stages.profile.centroid = Centroid::kDirect3D;
+  stages.profile.values.centroids = true;
+}
+
+void AtOwnSample(Question& q) {
+  const Point2 own = q.pattern[q.sample];
+  if (q.asked_at == EvaluatedAt::kCentroid) q.at = {q.low.x + own.x, q.low.y + own.y};
+}
+
+void AtCentre(Question& q) {
+  if (q.asked_at == EvaluatedAt::kCentroid) q.at = q.Centre();
 }
 
 bool IsLate(const Question& q) {
@@ -316,6 +332,30 @@ std::vector<Mutant> OfPrecision() {
 }
 
 // NOLINTNEXTLINE(readability-function-size): a table
+std::vector<Mutant> OfCentroids() {
+  return {
+      {"values-centroids-at-centres", "what is asked for at the centroid is the centre's", "",
+       Stated(AskingOfChannels(AtCentre), StateCentroids), "shown-values", kCentroidsKill},
+      {"values-centroids-at-samples", "what is asked for at the centroid is each sample's own", "",
+       Stated(AskingOfChannels(AtOwnSample), StateCentroids), "shown-values", kCentroidsKill},
+      {"values-centroids-outside", "what may be of any point of pixel and triangle is the centre's",
+       "",
+       Stated(AskingOfChannels(AtCentre),
+              [](ChannelStages& stages) {
+                StateCentroids(stages);
+                stages.profile.centroid = Centroid::kInside;
+              }),
+       "shown-values", kCentroidsKill},
+      {"values-centroids-affine", "what is asked for at the centroid is affine on the screen", "",
+       Stated(AskingOfChannels([](Question& q) {
+                if (q.asked_at == EvaluatedAt::kCentroid) OnTheScreen(q);
+              }),
+              StateCentroids),
+       "shown-values", kCentroidsKill},
+  };
+}
+
+// NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> OfPlaces() {
   return {
       {"values-at-corners", "values are evaluated at the pixel's corner", "",
@@ -378,7 +418,7 @@ std::vector<Mutant> OfPlaces() {
 
 std::vector<Mutant> ValueMutants() {
   std::vector<Mutant> table = OfWeights();
-  for (const auto part : {OfPrecision, OfPlaces}) {
+  for (const auto part : {OfPrecision, OfPlaces, OfCentroids}) {
     for (Mutant& planted : part()) table.push_back(std::move(planted));
   }
   return table;

@@ -293,6 +293,17 @@ ChannelStages RoundingCorrectly() {
   return stages;
 }
 
+// At any place of pixel and triangle: the sample's own.
+void AtOwnSamples(ChannelStages& s) {
+  s.profile.pattern = *StandardPattern(4);
+  s.profile.centroid = Centroid::kInside;
+  s.profile.values.centroids = true;
+  s.asked = [](ValueQuestion& q) {
+    const Point2 own = q.pattern[q.sample];
+    if (q.asked_at == EvaluatedAt::kCentroid) q.at = {q.low.x + own.x, q.low.y + own.y};
+  };
+}
+
 ChannelStages ByQuads(DerivativesBy by, int origin) {
   ChannelStages stages;
   stages.profile.values.derivatives = by;
@@ -387,6 +398,8 @@ std::vector<Mutant> ByStatement() {
                  s.profile.centroid = Centroid::kDirect3D;
                  s.profile.values.centroids = true;
                })},
+      {"values-centroids-anywhere", "values at the centroid are the samples'", "",
+       Changed({}, AtOwnSamples)},
       {"values-y-up", "y grows upwards", "",
        Changed({}, [](ChannelStages& s) { s.profile.y_axis = YAxis::kUp; })},
       {"values-y-up-fine", "y grows upwards, and derivatives are differences in quads", "",
@@ -421,7 +434,10 @@ std::vector<Mutant> ByPreset() {
       {"gl-values", "flat values come from the last vertex", "",
        UnderPreset("gl", Changed(InFloat32(ByProducts), last), BarycentricsOf::kGiven)},
       {"gl-values-4x", "values of four samples, in quads", "",
-       UnderPreset("gl-4x", ByQuads(DerivativesBy::kCoarse, 1), BarycentricsOf::kGiven)},
+       UnderPreset("gl-4x",
+                   Changed(ByQuads(DerivativesBy::kCoarse, 1),
+                           [](ChannelStages& s) { s.profile.values.centroids = true; }),
+                   BarycentricsOf::kGiven)},
       {"d3d11-values", "values of snapped corners, in quads", "",
        UnderPreset("d3d11", ByQuads(DerivativesBy::kFine, 0), BarycentricsOf::kSnapped)},
       {"d3d11-values-4x", "values of four samples", "",

@@ -28,13 +28,11 @@ constexpr std::size_t kMostCovered = 11;
 constexpr Outputs kCentroidsAlone{
     .primitive_ids = true, .barycentrics = false, .depths = false, .centroids = true};
 
-using HalfPlanes = std::shared_ptr<const std::vector<exact::HalfPlane>>;
-
 // A triangle that is drawn alone.
 struct CentroidTriangle {
   int number = 0;
   std::array<Point2, 3> owners;  // the corners that barycentrics belong to
-  HalfPlanes primitive;
+  PrimitivePlanes primitive;
 };
 
 // A pixel of which some sample is covered.
@@ -52,19 +50,6 @@ Point2 CornerOf(const PlacedCase& c, int x, int row) {
   return {sample.x - location.x, sample.y - location.y};
 }
 
-HalfPlanes PrimitiveOf(const std::array<LegalPlaces, 3>& places) {
-  std::vector<Point2> corners;
-  for (const auto& [low, high] : places) {
-    for (const Point2 p : {low, {high.x, low.y}, {low.x, high.y}, high}) {
-      if (std::ranges::find(corners, p) == corners.end()) corners.push_back(p);
-    }
-  }
-  return std::make_shared<const std::vector<exact::HalfPlane>>(exact::HullOf(corners));
-}
-
-// A subject that computes the point itself rounds it to its format: by at most so much on the
-// target, and never out of the closed pixel, whose sides have values of the format. What states an
-// error of its barycentrics states this with it.
 double RoundingOfAPoint(const SubjectInfo& info, const Scene& target) {
   if (info.fragments.barycentric_error > 0) return 0;
   const double u = info.input == Precision::kFloat32 ? 0x1p-24 : 0x1p-53;
@@ -78,20 +63,18 @@ LegalPlaces Grown(const LegalPlaces& places, double by) {
 std::vector<CentroidTriangle> TrianglesToJudge(const PlacedCase& c, const Description& subject) {
   const BarycentricsOf of = subject.info.fragments.barycentrics_of;
   const Scene& owners = of == BarycentricsOf::kSnapped ? c.placed : c.scene;
-  const double rounding = RoundingOfAPoint(subject.info, c.scene);
   std::vector<CentroidTriangle> triangles;
   for (const CornersPlace& place : SomeProperTriangles(c)) {
     const auto t = static_cast<std::size_t>(place.triangle);
     // Who does not say whose barycentrics it shows is judged where both are the same.
     if (of == BarycentricsOf::kEither && !StaysWhereGiven(c, c.scene.triangles[t])) continue;
-    auto legal = LegalPlacesOf(c, c.scene.triangles[t]);
+    const auto legal = LegalPlacesOf(c, c.scene.triangles[t]);
     if (!legal) continue;
-    for (LegalPlaces& corner : *legal) corner = Grown(corner, rounding);
     CentroidTriangle triangle{place.triangle, {}, nullptr};
     const std::array<Vertex, 3> v = Corners(owners, owners.triangles[t]);
     for (std::size_t k = 0; k < 3; ++k) triangle.owners[k] = WindowPoint(v[k]);
     if (exact::Facing(triangle.owners) == 0) continue;
-    triangle.primitive = PrimitiveOf(*legal);
+    triangle.primitive = PrimitiveOf(subject.info, c.scene, *legal);
     triangles.push_back(std::move(triangle));
   }
   return triangles;
@@ -129,19 +112,6 @@ std::string WordsOf(const PlacedCase& c, Point2 at, const std::vector<bool>& cov
   return (is_centre ? "the pixel's centre, " : "the first covered sample, ") + HexText(at);
 }
 
-CentroidRegion RegionOf(const PlacedCase& c, const CentroidTriangle& triangle,
-                        const SamplePlace& place, const std::vector<bool>& covered) {
-  const Point2 corner = CornerOf(c, place.x, place.row);
-  CentroidRegion region{
-      .at = StatedCentroid(c, place.x, place.row, covered),
-      .low = corner,
-      .high = {corner.x + 1, corner.y + 1},
-      .primitive = triangle.primitive,
-      .words = "a point of the triangle and of its pixel, from " + HexText(corner) + " on"};
-  if (region.at) region.words = WordsOf(c, *region.at, covered);
-  return region;
-}
-
 std::array<double, 3> TolerancesAt(const SubjectInfo& info, const CentroidFragment& fragment,
                                    Point2 corner) {
   if (!fragment.region.at) return BarycentricTolerancesInPixel(info, fragment.query.v, corner);
@@ -164,7 +134,7 @@ void AddFragments(const PlacedCase& c, const SubjectInfo& info, const CentroidTr
     const Witness at = WitnessAtIndex(drawing.counts, k);
     CentroidFragment fragment;
     fragment.query = {triangle.number, triangle.owners, PlaceOf(c, at.x, at.y, at.sample), true};
-    fragment.region = RegionOf(c, triangle, fragment.query.place, pixel.covered);
+    fragment.region = RegionOf(c, triangle.primitive, fragment.query.place, pixel.covered);
     fragment.barycentrics = shown;
     fragment.tolerances = TolerancesAt(info, fragment, CornerOf(c, at.x, at.y));
     fragments.push_back(std::move(fragment));
@@ -195,6 +165,39 @@ std::optional<Point2> StatedCentroid(const PlacedCase& c, int x, int row,
   if (!is_direct3d) return std::nullopt;
   const auto first = std::ranges::find(covered, true) - covered.begin();
   return PlaceOf(c, x, row, static_cast<int>(first)).at;
+}
+
+std::vector<bool> CoveredInPixel(const Drawing& drawing, std::size_t index) {
+  const auto samples = static_cast<std::size_t>(drawing.counts.samples);
+  std::vector<bool> covered(samples);
+  for (std::size_t s = 0; s < samples; ++s)
+    covered[s] = drawing.primitive_ids[index - index % samples + s] != kNoPrimitive;
+  return covered;
+}
+
+PrimitivePlanes PrimitiveOf(const SubjectInfo& info, const Scene& target,
+                            const std::array<LegalPlaces, 3>& places) {
+  std::vector<Point2> corners;
+  for (const LegalPlaces& place : places) {
+    const auto [low, high] = Grown(place, RoundingOfAPoint(info, target));
+    for (const Point2 p : {low, {high.x, low.y}, {low.x, high.y}, high}) {
+      if (std::ranges::find(corners, p) == corners.end()) corners.push_back(p);
+    }
+  }
+  return std::make_shared<const std::vector<exact::HalfPlane>>(exact::HullOf(corners));
+}
+
+CentroidRegion RegionOf(const PlacedCase& c, const PrimitivePlanes& primitive,
+                        const SamplePlace& place, const std::vector<bool>& covered) {
+  const Point2 corner = CornerOf(c, place.x, place.row);
+  CentroidRegion region{
+      .at = StatedCentroid(c, place.x, place.row, covered),
+      .low = corner,
+      .high = {corner.x + 1, corner.y + 1},
+      .primitive = primitive,
+      .words = "a point of the triangle and of its pixel, from " + HexText(corner) + " on"};
+  if (region.at) region.words = WordsOf(c, *region.at, covered);
+  return region;
 }
 
 Distance DistanceFromRegion(const CentroidFragment& fragment) {

@@ -3,21 +3,27 @@
 #define RASTERPROOF_PROPS_JUDGING_VALUES_CENTROID_QUERIES_H_
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core/drawing.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "core/vertex.h"
 #include "exact/half_planes.h"
+#include "props/judging/freedom/free_choices.h"
+#include "props/judging/places.h"
 #include "props/judging/values/barycentric_queries.h"
 #include "props/judging/values/exact_comparison.h"
 #include "props/placed_case.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
+
+using PrimitivePlanes = std::shared_ptr<const std::vector<exact::HalfPlane>>;
 
 /// Where a profile lets a fragment's centroid lie.
 struct CentroidRegion {
@@ -26,7 +32,7 @@ struct CentroidRegion {
   Point2 low;
   Point2 high;
   /// Hull of the places that legal models give the triangle's corners.
-  std::shared_ptr<const std::vector<exact::HalfPlane>> primitive;
+  PrimitivePlanes primitive;
   std::string words;  ///< "the pixel's centre"
 };
 
@@ -47,6 +53,19 @@ struct CentroidFragment {
 /// Domain:     a profile that states centroids; some sample is covered.
 std::optional<Point2> StatedCentroid(const PlacedCase& c, int x, int row,
                                      const std::vector<bool>& covered);
+
+/// Which samples of an entry's pixel are covered.
+std::vector<bool> CoveredInPixel(const Drawing& drawing, std::size_t index);
+
+/// The hull of corners that each lie in their rectangle, grown by what a subject that computes the
+/// point itself may round it by. It does not leave the closed pixel, whose sides have values of the
+/// format; what states an error of its barycentrics states this with it.
+PrimitivePlanes PrimitiveOf(const SubjectInfo& info, const Scene& target,
+                            const std::array<LegalPlaces, 3>& places);
+
+/// The region of a pixel of a primitive, of which these samples are covered.
+CentroidRegion RegionOf(const PlacedCase& c, const PrimitivePlanes& primitive,
+                        const SamplePlace& place, const std::vector<bool>& covered);
 
 /// Returns whether some point of the region has the shown barycentrics within the tolerances,
 /// decided exactly; for a stated point, also how far off they are.

@@ -58,6 +58,10 @@ std::vector<Channel> ChannelsFor(const Scene& scene, const ValueRule& rule) {
   if (rule.flat) add("flat", Interpolation::kFlat, Numbered);
   if (rule.inverse_w) add("inverse-w", Interpolation::kInverseW, nullptr);
   if (rule.centres) add("centre", Interpolation::kPerspective, Different, EvaluatedAt::kCentre);
+  if (rule.centroids) {
+    add("centroid", Interpolation::kPerspective, Different, EvaluatedAt::kCentroid);
+    add("centroid-signed", Interpolation::kPerspective, Signed, EvaluatedAt::kCentroid);
+  }
   return channels;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <utility>
@@ -253,6 +254,7 @@ std::array<double, 3> NumbersAt(const ValueFragment& f, const Channel& channel) 
 }
 
 Point2 PlaceOfValue(const ValueFragment& f, const Channel& channel) {
+  if (channel.at == EvaluatedAt::kCentroid && f.centroid) return *f.centroid->at;
   return channel.at == EvaluatedAt::kCentre ? f.centre : f.place.at;
 }
 
@@ -295,6 +297,12 @@ std::vector<ValueFragment> FragmentsOf(const PlacedCase& c, const SubjectInfo& i
       if (!IsNearACorner(c, t, PlaceOf(c, at.x, at.y, at.sample).at)) continue;
     }
     covered.push_back(k);
+  }
+  if (choice == FragmentChoice::kInPartOfAPixel) {
+    const auto is_part = [&](std::size_t k) {
+      return std::ranges::count(CoveredInPixel(drawing, k), false) != 0;
+    };
+    if (std::ranges::any_of(covered, is_part)) std::erase_if(covered, std::not_fn(is_part));
   }
   std::vector<ValueFragment> some;
   const std::size_t most =

@@ -16,6 +16,7 @@
 #include "core/verdict.h"
 #include "exact/values.h"
 #include "props/judging/places.h"
+#include "props/judging/values/centroid_queries.h"
 #include "props/judging/values/value_estimates.h"
 #include "props/placed_case.h"
 #include "props/property.h"
@@ -40,6 +41,8 @@ struct ValueFragment {
   SamplePlace place;
   double reach = 0;  ///< the farthest, on either axis, that the sample may lie from its place
   Point2 centre;     ///< of its pixel
+  /// Where values at the centroid are evaluated; nothing: they are not judged.
+  std::optional<CentroidRegion> centroid;
   /// Each that may be meant; values of all channels are of the same.
   std::vector<ValueOwners> readings;
 };
@@ -86,7 +89,7 @@ struct ValueRange {
 /// The numbers of a channel at the fragment's vertices, in the triangle's order; ones for 1/w.
 std::array<double, 3> NumbersAt(const ValueFragment& f, const Channel& channel);
 
-/// Where the channel is evaluated.
+/// Where the channel is evaluated; at the centroid, of a fragment that says where that is.
 Point2 PlaceOfValue(const ValueFragment& f, const Channel& channel);
 
 /// What the value may be by these owners. Nothing where it is not judged: the triangle has no area
@@ -137,9 +140,10 @@ inline constexpr Outputs kValuesAlone{.primitive_ids = true,
 
 /// Which covered samples are judged.
 enum class FragmentChoice : std::uint8_t {
-  kSome,           ///< a few, evenly spread
-  kAtVertices,     ///< those at a known corner of the triangle that they show
-  kOnTheFirstEdge  ///< those on its edge from the first corner to the second, if known
+  kSome,            ///< a few, evenly spread
+  kAtVertices,      ///< those at a known corner of the triangle that they show
+  kOnTheFirstEdge,  ///< those on its edge from the first corner to the second, if known
+  kInPartOfAPixel   ///< those of pixels with uncovered samples, if there are any
 };
 
 /// Some covered samples of a drawing of the case.

@@ -13,6 +13,7 @@
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"
 #include "props/properties/domain_lists.h"
+#include "props/properties/row_words.h"
 #include "props/property.h"
 
 namespace rasterproof::props {
@@ -41,13 +42,7 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
   return AskCentroids(c, subject, Judge);
 }
 
-constexpr std::array kRules{ProfileRule{
-    [](const Profile& p) {
-      return p.centroid == Centroid::kInside ||
-             (p.centroid == Centroid::kDirect3D && p.sample_positions == SamplePositions::kStated);
-    },
-    "centroid inside, or centroid direct3d and stated sample positions",
-    "the profile does not state where centroids lie"}};
+constexpr std::array kRules{kStatesCentroids};
 
 }  // namespace centroids_lie_where_stated
 

@@ -91,6 +91,9 @@ struct ValueRule {
   bool stays_in_hull = false;      ///< a value lies between the least and the greatest
   /// A value on an edge depends, to the bit, on the edge's ends alone.
   bool agrees_along_edges = false;
+  bool same_in_any_order = false;  ///< rotated corners give the same number, to the bit
+  /// In front of the eye, values along a row of samples of a triangle do not both rise and fall.
+  bool monotone_along_rows = false;
 
   friend bool operator==(const ValueRule&, const ValueRule&) = default;
 };

@@ -54,11 +54,13 @@ constexpr std::array kPromises{PromiseKey{"flat", &ValueRule::flat},
                                PromiseKey{"equal_stay_equal", &ValueRule::equal_stay_equal},
                                PromiseKey{"exact_at_vertices", &ValueRule::exact_at_vertices},
                                PromiseKey{"hull", &ValueRule::stays_in_hull},
-                               PromiseKey{"edges_agree", &ValueRule::agrees_along_edges}};
+                               PromiseKey{"edges_agree", &ValueRule::agrees_along_edges},
+                               PromiseKey{"any_order", &ValueRule::same_in_any_order},
+                               PromiseKey{"monotone_rows", &ValueRule::monotone_along_rows}};
 constexpr auto kValueKeys = std::to_array<std::string_view>(
     {"weights", "provoking", "derivatives", "error", "derivative_error", "depth", "depth_rounding",
      "flat", "linear", "inverse_w", "centres", "centroids", "flushes", "equal_stay_equal",
-     "exact_at_vertices", "hull", "edges_agree"});
+     "exact_at_vertices", "hull", "edges_agree", "any_order", "monotone_rows"});
 
 double ErrorPart(const JsonValue& value) {
   const double part = CoordinateFromJson(value, Precision::kFloat64);

@@ -23,6 +23,7 @@ using Question = ValueQuestion;
 constexpr std::string_view kValuesKill = "ValuesStayWithinTheirError";
 constexpr std::string_view kBarycentricsKill = "ClipBarycentricsStayWithinTheirError";
 constexpr std::string_view kCentroidsKill = "CentroidValuesStayWithinTheirError";
+constexpr std::string_view kNumbersKill = "CoveredSamplesHoldNumbers";
 constexpr std::string_view kFlatKills = "FlatValuesComeFromTheProvokingVertex";
 
 ChannelStages Asking(std::function<void(Question&)> asked) {
@@ -135,6 +136,19 @@ bool HasNegativeArea(const Question& q) {
   const HomogeneousCorners& v = q.placed;
   return (v[1].x - v[0].x) * (v[2].y - v[0].y) - (v[1].y - v[0].y) * (v[2].x - v[0].x) < 0;
 }
+
+// In float32, of corners in front of the eye.
+bool LosesItsArea(const Question& q) {
+  std::array<float, 3> x{}, y{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!(q.v[i].w > 0)) return false;
+    x[i] = Float(q.v[i].x / q.v[i].w);
+    y[i] = Float(q.v[i].y / q.v[i].w);
+  }
+  return (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]) == 0;
+}
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void StateCentroids(ChannelStages& stages) {
   StateFourSamples(stages);
@@ -316,6 +330,24 @@ std::vector<Mutant> OfPrecision() {
       {"values-edges-disagree", "a value on an edge is a rounded sum that the third vertex is in",
        "", SummingInFloat32(&ValueRule::agrees_along_edges), "shown-values",
        "ValuesAlongAnEdgeDependOnItsEnds"},
+      {"values-nan-on-slivers", "values are NaN where float32 loses the area", "llvmpipe",
+       ChangingValues([](const Question& q, double value) {
+         const bool is_flat = q.interpolation == Interpolation::kFlat;
+         return LosesItsArea(q) && !is_flat ? kNaN : value;
+       }),
+       "shown-values", kNumbersKill},
+      {"values-nan-weights", "barycentrics are NaN where float32 loses the area", "",
+       Weighing([](const Question& q) {
+         const bool is_lost = !q.channel && LosesItsArea(q);
+         return is_lost ? Weights{kNaN, kNaN, kNaN} : WeightsOf(q);
+       }),
+       "shown-values", kNumbersKill},
+      {"values-of-an-order", "a value is a rounded sum in the order of the corners", "",
+       SummingInFloat32(&ValueRule::same_in_any_order), "shown-values",
+       "PermutedVerticesKeepTheirValues"},
+      {"values-turn-back", "values are rounded sums, which turn back along a row", "",
+       SummingInFloat32(&ValueRule::monotone_along_rows), "shown-values",
+       "ValuesAreMonotoneAlongRows"},
       {"values-hull-left", "values are rounded away from zero, one float further than need be", "",
        [] {
          ChannelStages stages;

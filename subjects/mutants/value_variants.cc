@@ -289,7 +289,37 @@ ChannelStages RoundingCorrectly() {
   rule.error = {.ulps = 0.5};
   rule.equal_stay_equal = rule.exact_at_vertices = true;
   rule.stays_in_hull = rule.agrees_along_edges = true;
+  rule.same_in_any_order = rule.monotone_along_rows = true;
   stages.plane = [](const ValueQuestion& q) { return static_cast<double>(CorrectlyRounded(q)); };
+  return stages;
+}
+
+// The corner of the least index first.
+ChannelStages InOneOrder() {
+  ChannelStages stages = InFloat32(DividedLast);
+  stages.profile.values.same_in_any_order = true;
+  stages.plane = [plane = stages.plane](ValueQuestion q) {
+    const auto first = std::ranges::min_element(q.indices) - q.indices.begin();
+    std::ranges::rotate(q.v, q.v.begin() + first);
+    std::ranges::rotate(q.a, q.a.begin() + first);
+    return plane(q);
+  };
+  return stages;
+}
+
+// Where nothing is stated of slivers: each of float32's is one vertex's.
+ChannelStages OfAVertexOnSlivers() {
+  ChannelStages stages;
+  stages.value = [](const ValueQuestion& q, double value) {
+    std::array<float, 3> x{}, y{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (!(q.v[i].w > 0)) return value;
+      x[i] = static_cast<float>(q.v[i].x / q.v[i].w);
+      y[i] = static_cast<float>(q.v[i].y / q.v[i].w);
+    }
+    const float area = (x[1] - x[0]) * (y[2] - y[0]) - (y[1] - y[0]) * (x[2] - x[0]);
+    return area == 0 && q.interpolation != Interpolation::kFlat ? q.a[0] : value;
+  };
   return stages;
 }
 
@@ -360,6 +390,9 @@ std::vector<Mutant> ByForm() {
        InFloat32(ByReciprocal, 20)},
       {"values-fused", "products and sums are fused, in float32", "", InFloat32(Fused)},
       {"values-rounded-correctly", "values are the nearest floats", "", RoundingCorrectly()},
+      {"values-in-one-order", "sums begin with the corner of the least index", "", InOneOrder()},
+      {"values-on-slivers", "slivers whose area float32 loses hold a vertex's numbers", "",
+       OfAVertexOnSlivers()},
   };
 }
 

@@ -65,7 +65,8 @@ TEST(ValueJson, EveryMemberOfARuleReadsBack) {
   for (bool ValueRule::* const promise :
        {&ValueRule::flat, &ValueRule::linear, &ValueRule::inverse_w, &ValueRule::centres,
         &ValueRule::centroids, &ValueRule::flushes, &ValueRule::equal_stay_equal,
-        &ValueRule::exact_at_vertices, &ValueRule::stays_in_hull, &ValueRule::agrees_along_edges}) {
+        &ValueRule::exact_at_vertices, &ValueRule::stays_in_hull, &ValueRule::agrees_along_edges,
+        &ValueRule::same_in_any_order, &ValueRule::monotone_along_rows}) {
     ValueRule rule;
     rule.*promise = true;
     ExpectReadsBack(rule);

@@ -151,8 +151,10 @@ TEST(Authority, EachErrorCallsTheClausesOfItsOwn) {
   EXPECT_EQ(of("ValuesStayWithinTheirError"), (Ids{"vulkan.perspective", "vulkan.linear"}));
   for (const std::string_view exact :
        {"EqualValuesStayEqual", "ValuesStayInTheHull", "VerticesKeepTheirValues",
-        "DerivativesStayWithinTheirError"})
+        "DerivativesStayWithinTheirError", "CoveredSamplesHoldNumbers",
+        "PermutedVerticesKeepTheirValues", "ValuesAreMonotoneAlongRows"})
     EXPECT_EQ(of(exact), Ids{}) << exact << ": no text speaks of a last bit";
+  EXPECT_EQ(of("CentroidValuesStayWithinTheirError"), Ids{"vulkan.centroid"});
 }
 
 TEST(Authority, ClausesOfOtherValuesRequireNothing) {

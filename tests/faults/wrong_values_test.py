@@ -62,7 +62,7 @@ class WrongValues(unittest.TestCase):
         for seed in SEEDS:
             status, _, said = check("", seed, library=EXAMPLE)
             self.assertEqual(status, 0, said)
-            self.assertIn("10 hold", said)
+            self.assertIn("12 hold", said)
 
     def test_each_fault_is_found_and_named(self):
         with concurrent.futures.ThreadPoolExecutor(2) as pool:

@@ -22,6 +22,7 @@
 #include "core/coverage.h"
 #include "exact/coverage.h"
 #include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 #include "reference/method.h"
 
 namespace rasterproof::bench {
@@ -217,8 +218,11 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
       const bool is_quick = sink == kernels::Sink::kFacing || sink == kernels::Sink::kMask;
       if (!is_full && !is_quick) continue;
       for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
-        if (!kernels::Draws(kernel, sink)) continue;
         contenders.push_back(MakeKernelContender(kernel, target, sink));
+      }
+      for (const library::rivals::Rival& rival : library::rivals::kRivals) {
+        if (!Draws(rival, target, sink)) continue;
+        contenders.push_back(MakeRivalContender(rival, target, sink));
       }
     }
   }

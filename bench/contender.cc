@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -22,6 +23,7 @@
 #include "core/draw_options.h"
 #include "core/subject_info.h"
 #include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 #include "reference/barycentrics.h"
 #include "reference/rasterize.h"
 
@@ -29,6 +31,7 @@ namespace rasterproof::bench {
 namespace {
 
 namespace kernels = library::kernels;
+namespace rivals = library::rivals;
 
 // The kind of a method, by what it computes in and whether 0 wrong samples are stated of it.
 std::string KindOf(const SubjectInfo& info) {
@@ -158,16 +161,6 @@ class MethodContender final : public Contender {
 
 std::string_view SummaryOf(kernels::KernelMethod method) {
   switch (method) {
-    case kernels::KernelMethod::kIncremental:
-      return "float32 edge functions stepped from the box's corner, by vectors";
-    case kernels::KernelMethod::kTiles:
-      return "float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel";
-    case kernels::KernelMethod::kScanline:
-      return "float32 crossings of edges with rows, by vectors";
-    case kernels::KernelMethod::kFixedTiles:
-      return "tiles on vertices snapped to 1/256 pixel";
-    case kernels::KernelMethod::kMaskRows:
-      return "float32 crossings into tiles of bits that know when they are full";
     case kernels::KernelMethod::kExact:
       return "crossings of edges with rows, decided exactly";
     case kernels::KernelMethod::kExactUnsafe:
@@ -191,28 +184,52 @@ std::uint64_t BitsOf(kernels::Sink sink) {
   return 0;
 }
 
+// A kernel, or a rival of it.
 class KernelContender final : public Contender {
  public:
+  using Drawing = std::function<void(const kernels::KernelScene&, kernels::Surface&)>;
+
   KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
-      : kernel_(kernel), target_(target), sink_(sink) {
-    const bool is_fixed = kernel == kernels::KernelMethod::kFixedTiles;
+      : draw_([=](const kernels::KernelScene& scene, kernels::Surface& surface) {
+          kernels::Draw(kernel, target, scene, surface);
+        }),
+        sink_(sink) {
     const bool is_exact = kernel == kernels::KernelMethod::kExact;
-    if (is_fixed) {
-      model_.name = "snapped to 1/256";
-      model_.snap = {8, SnapRule::kNearestEven};
-    }
-    model_.coordinate_limit =
-        is_fixed ? double{kernels::kFixedRange} : double{std::numeric_limits<float>::max()};
+    model_.coordinate_limit = double{std::numeric_limits<float>::max()};
     method_.name = "kernel-" + std::string(NameOf(kernel));
     method_.summary = SummaryOf(kernel);
-    method_.kind = is_fixed ? "fixed point" : is_exact ? "exact" : "float32";
+    method_.kind = is_exact ? "exact" : "float32";
+    method_.is_proved = is_exact;
+    Describe(target);
+  }
+
+  KernelContender(const rivals::Rival& rival, kernels::Target target, kernels::Sink sink)
+      : draw_([=](const kernels::KernelScene& scene, kernels::Surface& surface) {
+          rivals::Draw(rival, target, scene, surface);
+        }),
+        sink_(sink),
+        draws_alone_(rival.traversal != rivals::Traversal::kMaskTiles) {
+    model_.coordinate_limit = double{std::numeric_limits<float>::max()};
+    method_.kind = NameOf(rival.arithmetic).starts_with("f64") ? "float64" : "float32";
+    if (Snaps(rival.arithmetic)) {
+      model_.name = "snapped to 1/256";
+      model_.snap = {8, SnapRule::kNearestEven};
+      model_.coordinate_limit = double{rivals::kFixedRange};
+      method_.kind = "fixed point";
+      method_.is_proved = rival.traversal == rivals::Traversal::kTiles;
+    }
+    method_.name = NameOf(rival);
+    method_.summary = SummaryOf(rival);
+    Describe(target);
+  }
+
+  void Describe(kernels::Target target) {
     method_.target = NameOf(target);
-    method_.sink = NameOf(sink);
+    method_.sink = NameOf(sink_);
     method_.model = model_.name;
-    method_.is_proved = is_fixed || is_exact;
     method_.coordinate_limit = model_.coordinate_limit;
     method_.vertex_bytes = sizeof(kernels::KernelVertex);
-    method_.pixel_bits = BitsOf(sink);
+    method_.pixel_bits = BitsOf(sink_);
   }
 
   std::optional<std::string> WhyNot(const FamilyInput& family) const override {
@@ -233,7 +250,7 @@ class KernelContender final : public Contender {
 
   DrawTime DrawForNothing() override {
     const kernels::KernelScene scene = family_->KernelScene();
-    return Timed([&] { kernels::Draw(kernel_, target_, scene, *surface_); });
+    return Timed([&] { draw_(scene, *surface_); });
   }
 
   std::optional<CoverageCounts> Drawn() override {
@@ -253,19 +270,23 @@ class KernelContender final : public Contender {
 
   // By every instruction set and into every sink the same: tests/library/kernels_test.cc. Masks
   // that know when they are full are the one kernel without another sink.
-  bool DrawsAlone() const override { return kernel_ != kernels::KernelMethod::kMaskRows; }
+  bool DrawsAlone() const override { return draws_alone_; }
 
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override {
-    if (!alone_) alone_.emplace(kernels::Sink::kCount8, surface_->width(), surface_->height());
+    if (!alone_) alone_.emplace(kernels::Sink::kFacing, surface_->width(), surface_->height());
     kernels::KernelScene scene = family_->KernelScene();
     scene.indices = scene.indices.subspan(3 * triangle, 3);
-    kernels::Draw(kernel_, target_, scene, *alone_);
-    const auto columns = static_cast<std::size_t>(area.x1 - area.x0);
+    draw_(scene, *alone_);
+    std::uint8_t* to = box.data();
     for (int y = area.y0; y < area.y1; ++y) {
-      std::byte* const row = alone_->plane(0) + y * alone_->pitch() + area.x0;
-      std::memcpy(box.data() + static_cast<std::size_t>(y - area.y0) * columns, row, columns);
-      std::memset(row, 0, columns);
+      std::array<std::uint32_t*, 2> rows{};
+      for (int facing = 0; facing < 2; ++facing) {
+        rows[static_cast<std::size_t>(facing)] =
+            reinterpret_cast<std::uint32_t*>(alone_->plane(facing)) + y * alone_->pitch();
+      }
+      for (int x = area.x0; x < area.x1; ++x) *to++ = (rows[0][x] | rows[1][x]) != 0 ? 1 : 0;
+      for (std::uint32_t* const row : rows) std::fill(row + area.x0, row + area.x1, 0U);
     }
   }
 
@@ -277,7 +298,7 @@ class KernelContender final : public Contender {
     for (const std::size_t triangle : triangles) {
       scene.indices = std::span(family_->indices).subspan(3 * triangle, 3);
       surface_->Clear();
-      kernels::Draw(kernel_, target_, scene, *surface_);
+      draw_(scene, *surface_);
       covered.push_back(surface_->At(at.x, at.y) != 0 ? 1 : 0);
     }
     return covered;
@@ -290,7 +311,7 @@ class KernelContender final : public Contender {
     kernels::KernelScene scene = family_->KernelScene();
     scene.indices = scene.indices.subspan(3 * triangle, 3);
     surface_->Clear();
-    kernels::Draw(kernel_, target_, scene, *surface_);
+    draw_(scene, *surface_);
     for (const Pixel& at : pixels) {
       const auto bits = static_cast<std::uint32_t>(surface_->At(at.x, at.y));
       const auto depth = double{std::bit_cast<float>(bits)};
@@ -311,9 +332,9 @@ class KernelContender final : public Contender {
   }
 
  private:
-  kernels::KernelMethod kernel_;
-  kernels::Target target_;
+  Drawing draw_;
   kernels::Sink sink_;
+  bool draws_alone_ = true;
   const FamilyInput* family_ = nullptr;
   std::optional<kernels::Surface> surface_;
   std::optional<kernels::Surface> alone_;
@@ -341,6 +362,11 @@ std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) 
 std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method, kernels::Target target,
                                                kernels::Sink sink) {
   return std::make_unique<KernelContender>(method, target, sink);
+}
+
+std::unique_ptr<Contender> MakeRivalContender(const rivals::Rival& rival, kernels::Target target,
+                                              kernels::Sink sink) {
+  return std::make_unique<KernelContender>(rival, target, sink);
 }
 
 double StoreLimit(kernels::Sink sink) {

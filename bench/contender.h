@@ -22,6 +22,7 @@
 #include "core/scene.h"
 #include "core/subject.h"
 #include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 #include "reference/method.h"
 
 namespace rasterproof::bench {
@@ -106,10 +107,17 @@ std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method);
 
 /// A kernel.
 ///
-/// Domain:     Draws(method, sink); a target of SupportedTargets().
+/// Domain:     a target of SupportedTargets().
 std::unique_ptr<Contender> MakeKernelContender(library::kernels::KernelMethod method,
                                                library::kernels::Target target,
                                                library::kernels::Sink sink);
+
+/// What kernels are measured against.
+///
+/// Domain:     Draws(rival, target, sink).
+std::unique_ptr<Contender> MakeRivalContender(const library::rivals::Rival& rival,
+                                              library::kernels::Target target,
+                                              library::kernels::Sink sink);
 
 /// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
 /// draw of the same vertices without triangles, the conversion, which is reported separately.

@@ -25,9 +25,15 @@ std::vector<std::unique_ptr<Contender>> EachTwice() {
   }
   const auto target = library::kernels::SupportedTargets().back();
   for (const auto kernel : library::kernels::kKernelMethods) {
-    if (!library::kernels::Draws(kernel, library::kernels::Sink::kFacing)) continue;
     for (int member = 0; member < 2; ++member) {
       contenders.push_back(MakeKernelContender(kernel, target, library::kernels::Sink::kFacing));
+    }
+  }
+  const auto widest = library::rivals::WidestTarget();
+  for (const auto& rival : library::rivals::kRivals) {
+    if (!Draws(rival, widest, library::kernels::Sink::kFacing)) continue;
+    for (int member = 0; member < 2; ++member) {
+      contenders.push_back(MakeRivalContender(rival, widest, library::kernels::Sink::kFacing));
     }
   }
   return contenders;

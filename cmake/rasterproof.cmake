@@ -177,7 +177,7 @@ function(rasterproof_library name)
 endfunction()
 
 # rasterproof_optimised(OUT TARGET ...): the libraries that the targets link, optimised in full. Not
-# the exact one: of its files some are for newer processors alone.
+# the exact one and its rivals: of their files some are for newer processors alone.
 function(rasterproof_optimised out)
   set(found "")
   set(next ${ARGN})
@@ -193,7 +193,7 @@ function(rasterproof_optimised out)
     get_target_property(type ${target} TYPE)
     get_target_property(options ${target} COMPILE_OPTIONS)
     if(type STREQUAL STATIC_LIBRARY AND NOT options MATCHES "-O[01]" AND
-        NOT target STREQUAL rasterproof_rasterize)
+        NOT target MATCHES "^rasterproof_(rasterize|rivals)$")
       list(APPEND found ${target})
     endif()
   endwhile()

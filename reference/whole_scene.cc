@@ -62,10 +62,12 @@ bool KernelsPay(const Scene& scene) {
   return scene.triangles.size() >= std::max(kFewest, pixels / kPixelsATriangle);
 }
 
-void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
-                  const DrawOptions& options, CoverageCounts& counts) {
-  std::optional<FloatEnvironment> sane;  // its vertices are rounded to the grid
-  if (method == library::kernels::KernelMethod::kFixedTiles) sane.emplace();
+namespace {
+
+/// Draws into a surface of facings by draw(kernel scene, surface) and adds what it holds.
+template <class Drawing>
+void DrawAndAdd(const Scene& scene, const DrawOptions& options, CoverageCounts& counts,
+                const Drawing& draw) {
   std::vector<library::kernels::KernelVertex> vertices;
   vertices.reserve(scene.vertices.size());
   for (const Vertex& v : scene.vertices) {
@@ -73,9 +75,27 @@ void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
   }
   const std::vector<std::uint32_t> indices = IndicesOf(scene);
   library::kernels::Surface surface(library::kernels::Sink::kFacing, scene.width, scene.height);
-  library::kernels::Draw(method, library::kernels::SupportedTargets().back(),
-                         {vertices, indices, scene.width, scene.height}, surface);
+  draw(library::kernels::KernelScene{vertices, indices, scene.width, scene.height}, surface);
   AddSurface(surface, scene, options, counts);
+}
+
+}  // namespace
+
+void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
+                  const DrawOptions& options, CoverageCounts& counts) {
+  DrawAndAdd(scene, options, counts, [&](const auto& kernel_scene, auto& surface) {
+    library::kernels::Draw(method, library::kernels::SupportedTargets().back(), kernel_scene,
+                           surface);
+  });
+}
+
+void DrawByRival(const library::rivals::Rival& rival, const Scene& scene,
+                 const DrawOptions& options, CoverageCounts& counts) {
+  std::optional<FloatEnvironment> sane;  // its vertices are rounded to the grid
+  if (Snaps(rival.arithmetic)) sane.emplace();
+  DrawAndAdd(scene, options, counts, [&](const auto& kernel_scene, auto& surface) {
+    Draw(rival, library::rivals::WidestTarget(), kernel_scene, surface);
+  });
 }
 
 bool ClipKernelTakes(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include "core/draw_options.h"
 #include "core/scene.h"
 #include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 
 namespace rasterproof::reference {
 
@@ -23,10 +24,15 @@ bool KernelsPay(const Scene& scene);
 /// Adds the scene's coverage by a kernel to `counts`, by the machine's widest vectors: the counts
 /// are those of every target. Triangles with a NaN or an infinity cover nothing.
 ///
-/// Domain:     KernelsTake(scene); Draws(method, kFacing); counts of the scene's size, one sample a
-///             pixel.
+/// Domain:     KernelsTake(scene); counts of the scene's size, one sample a pixel.
 void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
                   const DrawOptions& options, CoverageCounts& counts);
+
+/// The same by what kernels are measured against.
+///
+/// Domain:     as DrawByKernel; not of Traversal::kMaskTiles, which keeps no facings.
+void DrawByRival(const library::rivals::Rival& rival, const Scene& scene,
+                 const DrawOptions& options, CoverageCounts& counts);
 
 /// The same by the kernel of clip space, without a near plane.
 ///

@@ -141,8 +141,7 @@ std::string_view NameOf(Sink sink) {
 }
 
 std::string_view NameOf(KernelMethod method) {
-  constexpr std::array<std::string_view, 7> kNames{
-      "incremental", "tiles", "scanline", "fixed-tiles", "mask-rows", "exact", "exact-unsafe"};
+  constexpr std::array<std::string_view, 2> kNames{"exact", "exact-unsafe"};
   return kNames[static_cast<std::size_t>(method)];
 }
 
@@ -153,10 +152,6 @@ std::span<const Target> SupportedTargets() {
     return targets;
   }();
   return supported;
-}
-
-bool Draws(KernelMethod method, Sink sink) {
-  return FunctionOf(method, Target::kScalar, sink) != nullptr;
 }
 
 Surface::Surface(Sink sink, int width, int height)
@@ -207,43 +202,19 @@ std::uint64_t Surface::At(int x, int y) const {
 
 void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface) {
   RequireSupported(target);
-  const KernelFunction draw = FunctionOf(method, target, surface.sink());
-  if (draw == nullptr) {
-    throw InputError("method " + std::string(NameOf(method)),
-                     "it does not draw into the sink " + std::string(NameOf(surface.sink())),
-                     "choose the sink mask");
-  }
   RequireSize(surface, scene.width, scene.height);
   std::optional<FloatEnvironment> sane;  // the guesses' errors are those of rounding to nearest
   if (method == KernelMethod::kExact) sane.emplace();
-  // A strip more than the width has, and rows for a tile that begins in the last one.
-  const std::size_t strip_height = Up(static_cast<std::size_t>(scene.height), 8) + 8;
-  const std::size_t strips = Up(static_cast<std::size_t>(scene.width), 32) / 32 + 1;
-  const std::size_t full_pitch = Up(strips, 64) / 64;
-  std::vector<std::uint32_t> words;
-  std::vector<std::uint64_t> full;
-  if (method == KernelMethod::kMaskRows) {
-    words.resize(strips * strip_height);
-    full.resize(strip_height / 8 * full_pitch);
-  }
-  std::array<std::uint64_t, 3> tiers{};
-  const KernelView view{.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x,
-                        .indices = scene.indices.data(),
-                        .triangles = scene.indices.size() / 3,
-                        .width = scene.width,
-                        .height = scene.height,
-                        .planes = {surface.plane(0), surface.plane(1)},
-                        .pitch = surface.pitch(),
-                        .strips = words.data(),
-                        .strip_height = static_cast<std::ptrdiff_t>(strip_height),
-                        .full_tiles = full.data(),
-                        .full_pitch = static_cast<std::ptrdiff_t>(full_pitch),
-                        .tiers = tiers.data(),
-                        .first_row = 0,
-                        .near_plane = NearPlane::kNone,
-                        .on_span = nullptr,
-                        .state = nullptr};
-  draw(view);
+  KernelView view{};
+  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
+  view.indices = scene.indices.data();
+  view.triangles = scene.indices.size() / 3;
+  view.width = scene.width;
+  view.height = scene.height;
+  view.planes[0] = surface.plane(0);
+  view.planes[1] = surface.plane(1);
+  view.pitch = surface.pitch();
+  Draw(target, FunctionOf(method, target, surface.sink()), view);
 }
 
 void DrawClip(Target target, const ClipScene& scene, Surface& surface) {

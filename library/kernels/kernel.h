@@ -1,8 +1,8 @@
 // Fast rasterizers of indexed float32 triangles: one method, sink and SIMD target at a time.
 //
-// kExact is exact, and kExactUnsafe its twin without what makes it so. The others are baselines:
-// naive in what they compute, not in how fast. What each one draws, pixel for pixel and by every
-// target, tests/library/kernel_definitions.h defines in plain loops.
+// kExact is exact, and kExactUnsafe its twin without what makes it so. What they are measured
+// against is in library/rivals. What each draws, pixel for pixel and by every target,
+// tests/library/kernel_definitions.h defines in plain loops.
 #ifndef RASTERPROOF_LIBRARY_KERNELS_KERNEL_H_
 #define RASTERPROOF_LIBRARY_KERNELS_KERNEL_H_
 
@@ -77,32 +77,18 @@ inline constexpr std::array kSinks{Sink::kCount8, Sink::kFacing, Sink::kMask, Si
 
 /// How coverage is found. Both windings are drawn, triangles without area are not.
 enum class KernelMethod : std::uint8_t {
-  kIncremental,  ///< float32 edge functions stepped from the corner of the box
-  kTiles,        ///< float32 half-spaces: tiles of 8x8 accepted, rejected, or tested by pixel
-  kScanline,     ///< float32 crossings of edges with rows
-  kFixedTiles,   ///< tiles as above on vertices snapped to 1/256 px: exact by its own model
-  kMaskRows,     ///< scanline into tiles of 32x8 bits that know when they are full; kMask alone
   kExact,       ///< crossings of edges with rows, exact: top-left, watertight, every finite float32
   kExactUnsafe  ///< the same code with what makes it exact left out: what exactness costs
 };
-inline constexpr std::array kKernelMethods{KernelMethod::kIncremental, KernelMethod::kTiles,
-                                           KernelMethod::kScanline,    KernelMethod::kFixedTiles,
-                                           KernelMethod::kMaskRows,    KernelMethod::kExact,
-                                           KernelMethod::kExactUnsafe};
+inline constexpr std::array kKernelMethods{KernelMethod::kExact, KernelMethod::kExactUnsafe};
 
-/// kFixedTiles skips triangles with a coordinate beyond this, in pixels.
-inline constexpr float kFixedRange = 16384;
-
-/// "avx512", "facing", "fixed-tiles".
+/// "avx512", "facing", "exact-unsafe".
 std::string_view NameOf(Target target);
 std::string_view NameOf(Sink sink);
 std::string_view NameOf(KernelMethod method);
 
 /// The targets that this machine runs, least first. Never empty.
 std::span<const Target> SupportedTargets();
-
-/// Whether there is such a kernel: every sink, but of kMaskRows only kMask.
-bool Draws(KernelMethod method, Sink sink);
 
 /// The pixels that a sink keeps, with room to write a whole vector or tile at the edges.
 class Surface {
@@ -138,11 +124,10 @@ class Surface {
   std::vector<std::byte> bytes_;
 };
 
-/// Draws the scene onto what the surface holds already. Allocates nothing but kMaskRows' tiles.
+/// Draws the scene onto what the surface holds already. Allocates nothing.
 /// kExact draws the same in whatever floating-point mode its caller left.
 ///
-/// Domain:     a target of SupportedTargets(); Draws(method, surface.sink()); a surface of the
-///             scene's size. InputError otherwise.
+/// Domain:     a target of SupportedTargets(); a surface of the scene's size. InputError otherwise.
 void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface);
 
 /// Draws the scene onto what the surface holds already: covered is a pixel whose centre the

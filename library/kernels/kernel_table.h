@@ -31,8 +31,9 @@ struct KernelView {
   void* planes[2];       ///< see Surface::plane
   std::ptrdiff_t pitch;  ///< see Surface::pitch
 
-  // kMaskRows alone: strips of 32 pixels, a word for each of their strip_height rows, and a bit for
-  // each 32x8 tile of them that is full, full_pitch words a row of tiles. Cleared.
+  // Traversal::kMaskTiles of library/rivals alone: strips of 32 pixels, a word for each of their
+  // strip_height rows, and a bit for each 32x8 tile of them that is full, full_pitch words a row of
+  // tiles. Cleared.
   std::uint32_t* strips;
   std::ptrdiff_t strip_height;
   std::uint64_t* full_tiles;
@@ -92,7 +93,7 @@ using KernelFunction = void (*)(const KernelView&);
 
 /// Of one target.
 struct KernelTable {
-  KernelFunction draw[7][5];  ///< by KernelMethod and Sink; nullptr where there is no such kernel
+  KernelFunction draw[2][5];  ///< by KernelMethod and Sink
   KernelFunction fill[5];     ///< by Sink: see Fill()
   KernelFunction exact_spans;
   KernelFunction clip[5];  ///< by Sink

@@ -6,12 +6,7 @@
 #include "library/kernels/clip_rows.h"
 #include "library/kernels/exact_spans.h"
 #include "library/kernels/fill.h"
-#include "library/kernels/fixed_tiles.h"
-#include "library/kernels/float_tiles.h"
-#include "library/kernels/incremental.h"
 #include "library/kernels/kernel_table.h"
-#include "library/kernels/mask_rows.h"
-#include "library/kernels/scanline.h"
 #include "library/kernels/sinks.h"
 #include "library/kernels/span_sink.h"
 #include "library/kernels/vectors.h"
@@ -27,11 +22,6 @@ namespace rasterproof::library::kernels::HWY_NAMESPACE {
 
 constexpr KernelTable kKernels = {
     {
-        RASTERPROOF_KERNEL_ROW(DrawIncremental),
-        RASTERPROOF_KERNEL_ROW(DrawFloatTiles),
-        RASTERPROOF_KERNEL_ROW(DrawScanline),
-        RASTERPROOF_KERNEL_ROW(DrawFixedTiles),
-        {nullptr, nullptr, &DrawMaskRows, nullptr, nullptr},
         RASTERPROOF_KERNEL_ROW(DrawExact),
         RASTERPROOF_KERNEL_ROW(DrawExactUnsafe),
     },

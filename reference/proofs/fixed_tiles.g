@@ -1,4 +1,4 @@
-# Integers of fixed-tiles (library/kernels/fixed_tiles.h): vertices v within 2^22 units of 1/256
+# Integers of fixed-tiles (library/rivals/fixed_tiles.h): vertices v within 2^22 units of 1/256
 # px, centres p of a target of 65536 px; a = A and b = B of an edge; f = floor(E / 256) at a pixel.
 # Where doubles hold them they are exact, where int32 does they do not overflow.
 # Run: gappa -Eprecision=240 fixed_tiles.g

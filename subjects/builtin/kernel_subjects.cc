@@ -3,12 +3,15 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
 #include "core/float_environment.h"
+#include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 #include "reference/plan.h"
 #include "reference/proved.h"
 #include "reference/whole_scene.h"
@@ -16,38 +19,35 @@
 namespace rasterproof::subjects {
 namespace {
 
-using library::kernels::KernelMethod;
+using library::rivals::Rival;
 
-// The kernel's statements are those of library/kernels/kernel.h.
-struct KernelRow {
+// Their statements are those of library/rivals/rival.h.
+struct RivalRow {
   std::string_view name;
   std::string_view summary;
-  KernelMethod method;
 };
-constexpr std::array<KernelRow, 5> kKernels{{
-    {"kernel-incremental", "float32 edge functions stepped from the box's corner, by vectors",
-     KernelMethod::kIncremental},
-    {"kernel-tiles", "float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel",
-     KernelMethod::kTiles},
-    {"kernel-fixed-tiles", "the same in 28.8 fixed point: exact by its own model",
-     KernelMethod::kFixedTiles},
-    {"kernel-scanline", "float32 crossings of edges with rows, by vectors",
-     KernelMethod::kScanline},
-    {"kernel-exact-unsafe", "spans-exact without what makes it exact", KernelMethod::kExactUnsafe},
+constexpr std::array<RivalRow, 4> kRivals{{
+    {"kernel-incremental", "float32 edge functions stepped from the box's corner, by vectors"},
+    {"kernel-tiles", "float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel"},
+    {"kernel-fixed-tiles", "the same in 28.8 fixed point: exact by its own model"},
+    {"kernel-scanline", "float32 crossings of edges with rows, by vectors"},
 }};
 
+constexpr std::string_view kUnsafe = "kernel-exact-unsafe";
 constexpr std::string_view kClipKernel = "kernel-clip";
 
 class KernelSubject final : public Subject {
  public:
-  explicit KernelSubject(const KernelRow& row) : method_(row.method) {
-    info_.name = row.name;
-    info_.summary = row.summary;
+  KernelSubject(std::string_view name, std::string_view summary, const Rival* rival) {
+    info_.name = name;
+    info_.summary = summary;
     info_.profile.coordinate_limit = double{std::numeric_limits<float>::max()};
-    if (method_ == KernelMethod::kFixedTiles) {
-      info_.profile.name = row.name;
+    if (rival == nullptr) return;
+    rival_ = *rival;
+    if (Snaps(rival->arithmetic)) {
+      info_.profile.name = name;
       info_.profile.snap = {8, SnapRule::kNearestEven};
-      info_.profile.coordinate_limit = double{library::kernels::kFixedRange};
+      info_.profile.coordinate_limit = double{library::rivals::kFixedRange};
       info_.states_exact = true;
     }
   }
@@ -59,11 +59,15 @@ class KernelSubject final : public Subject {
       throw InputError("scene " + scene.name, info_.name + " computes in float32 and window space",
                        "use spans-exact");
     }
-    reference::DrawByKernel(method_, scene, options, counts);
+    if (rival_) {
+      reference::DrawByRival(*rival_, scene, options, counts);
+    } else {
+      reference::DrawByKernel(library::kernels::KernelMethod::kExactUnsafe, scene, options, counts);
+    }
   }
 
  private:
-  KernelMethod method_;
+  std::optional<Rival> rival_;  // nothing: the exact kernel's twin
   SubjectInfo info_;
 };
 
@@ -120,15 +124,22 @@ class PlannedSubject final : public Subject {
 
 std::vector<std::string> KernelSubjectNames() {
   std::vector<std::string> names;
-  for (const KernelRow& row : kKernels) names.emplace_back(row.name);
+  for (const RivalRow& row : kRivals) names.emplace_back(row.name);
+  names.emplace_back(kUnsafe);
   names.emplace_back(kClipKernel);
   names.emplace_back("planned");
   return names;
 }
 
 std::unique_ptr<Subject> MakeKernelSubject(std::string_view name) {
-  for (const KernelRow& row : kKernels) {
-    if (row.name == name) return std::make_unique<KernelSubject>(row);
+  for (const RivalRow& row : kRivals) {
+    if (row.name != name) continue;
+    const Rival rival = *library::rivals::FindRival(name);
+    return std::make_unique<KernelSubject>(name, row.summary, &rival);
+  }
+  if (name == kUnsafe) {
+    return std::make_unique<KernelSubject>(name, "spans-exact without what makes it exact",
+                                           nullptr);
   }
   if (name == kClipKernel) return std::make_unique<ClipKernelSubject>();
   if (name == "planned") return std::make_unique<PlannedSubject>();

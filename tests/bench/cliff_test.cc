@@ -267,8 +267,8 @@ TEST(FindCliff, OfTheAffineFormIsNearerThanThatOfDifferences) {
 TEST(DeclaredLimits, HoldFromBothSides) {
   // Within 16384 pixels it draws, a step beyond it does not.
   const auto tiles =
-      MakeKernelContender(library::kernels::KernelMethod::kFixedTiles,
-                          library::kernels::Target::kScalar, library::kernels::Sink::kFacing);
+      MakeRivalContender({library::rivals::Traversal::kTiles, library::rivals::Arithmetic::kInt32},
+                         library::kernels::Target::kScalar, library::kernels::Sink::kFacing);
   const double limit = ProvedTo(tiles->method(), *FindParameter("grid-8"));
   EXPECT_EQ(limit, 16384 * 256 - 384);
   EXPECT_EQ(CliffOf(*DrawerOf(*tiles), "grid-8")->first_failing, limit + 1);

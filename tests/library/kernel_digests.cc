@@ -67,7 +67,6 @@ int PrintAll() {
       // What exactness is left out of states nothing.
       if (method == KernelMethod::kExactUnsafe) continue;
       for (const Sink sink : kSinks) {
-        if (!Draws(method, sink)) continue;
         const std::string what =
             scene.name + ' ' + std::string(NameOf(method)) + ' ' + std::string(NameOf(sink));
         const auto drawn = [&](Target target) { return Drawn(method, sink, target, scene); };

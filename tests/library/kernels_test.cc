@@ -8,13 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/coverage.h"
 #include "core/error.h"
-#include "core/scene.h"
-#include "core/vertex.h"
 #include "library/kernels/kernel.h"
-#include "reference/method.h"
-#include "reference/rasterize.h"
 #include "tests/library/drawn_scenes.h"
 #include "tests/library/kernel_definitions.h"
 #include "tests/share.h"
@@ -22,33 +17,18 @@
 namespace rasterproof::library::kernels {
 namespace {
 
-// The first pixel that differs, in words; empty if none does.
-std::string FirstDifference(const Surface& surface, const std::vector<std::uint64_t>& expected) {
-  for (int y = 0; y < surface.height(); ++y) {
-    for (int x = 0; x < surface.width(); ++x) {
-      const std::uint64_t wanted = expected[static_cast<std::size_t>(y * surface.width() + x)];
-      if (surface.At(x, y) == wanted) continue;
-      return "pixel " + std::to_string(x) + ", " + std::to_string(y) + " is " +
-             std::to_string(surface.At(x, y)) + ", not " + std::to_string(wanted);
-    }
-  }
-  return "";
-}
-
-TEST(KernelsTest, EveryMethodSinkAndTargetDrawsItsDefinition) {
+TEST(KernelsTest, EverySinkAndTargetDrawsTheDefinition) {
   for (const OwnedScene& scene : DrawnScenes(Cases(100))) {
-    for (const KernelMethod method : kKernelMethods) {
-      for (const Sink sink : kSinks) {
-        // What exactness is left out of states nothing.
-        if (!Draws(method, sink) || method == KernelMethod::kExactUnsafe) continue;
-        const auto expected = DefineSurface(method, sink, scene.View());
-        for (const Target target : SupportedTargets()) {
-          Surface surface(sink, scene.width, scene.height);
-          Draw(method, target, scene.View(), surface);
-          EXPECT_EQ(FirstDifference(surface, expected), "")
-              << scene.name << ' ' << NameOf(method) << ' ' << NameOf(sink) << ' '
-              << NameOf(target);
-        }
+    const KernelScene view = scene.View();
+    for (const Sink sink : kSinks) {
+      const auto expected = DefineSurface(sink, view, [&](const KernelTriangle& t) {
+        return definitions::Exact(t, view.width, view.height);
+      });
+      for (const Target target : SupportedTargets()) {
+        Surface surface(sink, scene.width, scene.height);
+        Draw(KernelMethod::kExact, target, view, surface);
+        EXPECT_EQ(FirstDifference(surface, expected), "")
+            << scene.name << ' ' << NameOf(sink) << ' ' << NameOf(target);
       }
     }
   }
@@ -86,7 +66,7 @@ TEST(KernelsTest, ASurfaceKeepsWhatWasDrawnBefore) {
   const KernelScene view = scene.View();
   for (const KernelMethod method : kKernelMethods) {
     for (const Sink sink : kSinks) {
-      if (!Draws(method, sink) || sink == Sink::kId) continue;
+      if (sink == Sink::kId) continue;
       for (const Target target : SupportedTargets()) {
         Surface whole(sink, 67, 35);
         Draw(method, target, view, whole);
@@ -101,41 +81,6 @@ TEST(KernelsTest, ASurfaceKeepsWhatWasDrawnBefore) {
           for (int x = 0; x < 67; ++x) ASSERT_EQ(halves.At(x, y), whole.At(x, y));
         }
       }
-    }
-  }
-}
-
-// The tiles' snap and tie rule are the 8-bit model's, in their range.
-TEST(KernelsTest, FixedTilesDrawTheCanonicalModelOfEightBits) {
-  const reference::Method* canonical = reference::FindMethod("i64-snap8");
-  ASSERT_NE(canonical, nullptr);
-  for (int seed = 0; seed < Cases(6); ++seed) {
-    // Every second target holds little of triangles that are large.
-    const bool tiny = seed % 2 == 1;
-    OwnedScene owned = RandomScene(static_cast<std::uint64_t>(100 + seed), tiny ? 3 : 130,
-                                   tiny ? 2 : 50, tiny ? 400 : 100);
-    Scene scene;
-    scene.width = owned.width;
-    scene.height = owned.height;
-    for (KernelVertex& v : owned.vertices) {
-      if (tiny) v = {v.x * 500, v.y * 900, v.z};
-      v.x = std::isfinite(v.x) ? std::fmax(-kFixedRange, std::fmin(v.x, kFixedRange)) : 0;
-      v.y = std::isfinite(v.y) ? std::fmax(-kFixedRange, std::fmin(v.y, kFixedRange)) : 0;
-      scene.vertices.push_back({.x = v.x, .y = v.y});
-    }
-    for (std::int32_t i = 0; i < static_cast<std::int32_t>(owned.indices.size()); i += 3) {
-      scene.triangles.push_back({i, i + 1, i + 2});
-    }
-    CoverageCounts expected(scene.width, scene.height);
-    Rasterize(scene, *canonical, {}, expected);
-    std::vector<std::uint64_t> pixels;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-      pixels.push_back(expected.front[i] | std::uint64_t{expected.back[i]} << 32);
-    }
-    for (const Target target : SupportedTargets()) {
-      Surface surface(Sink::kFacing, scene.width, scene.height);
-      Draw(KernelMethod::kFixedTiles, target, owned.View(), surface);
-      EXPECT_EQ(FirstDifference(surface, pixels), "") << NameOf(target) << ' ' << owned.name;
     }
   }
 }
@@ -158,10 +103,8 @@ TEST(KernelsTest, FillTakesEveryPixelOnce) {
 
 TEST(KernelsTest, WhatThereIsNoKernelForIsRefused) {
   const OwnedScene scene = RandomScene(7, 9, 9, 1);
-  Surface counts(Sink::kCount8, 9, 9);
-  EXPECT_THROW(Draw(KernelMethod::kMaskRows, Target::kScalar, scene.View(), counts), InputError);
   Surface small(Sink::kCount8, 8, 9);
-  EXPECT_THROW(Draw(KernelMethod::kTiles, Target::kScalar, scene.View(), small), InputError);
+  EXPECT_THROW(Draw(KernelMethod::kExact, Target::kScalar, scene.View(), small), InputError);
 }
 
 TEST(KernelsTest, TheScalarTargetRunsEverywhere) {

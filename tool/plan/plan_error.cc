@@ -19,6 +19,7 @@
 #include "exact/coverage.h"
 #include "fmt/format.h"
 #include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 #include "reference/method.h"
 
 namespace rasterproof::tool {
@@ -96,11 +97,13 @@ double SnapDistance(int bits) { return std::ldexp(std::numbers::sqrt2 / 2, -bits
 
 std::string BeyondText(double limit) { return fmt::format("a corner lies beyond {} px", limit); }
 
-ProvedError KernelError(library::kernels::KernelMethod kernel, const Scene& scene) {
-  using library::kernels::KernelMethod;
-  if (kernel == KernelMethod::kExact) return {0, "exact for every finite float32"};
-  if (kernel != KernelMethod::kFixedTiles) return {.why = "it has no proved bound"};
-  const double limit = library::kernels::kFixedRange;
+ProvedError RivalError(const library::rivals::Rival& rival, const Scene& scene) {
+  using library::rivals::Traversal;
+  // The slopes of spans are rounded.
+  if (!Snaps(rival.arithmetic) || rival.traversal != Traversal::kTiles) {
+    return {.why = "it has no proved bound"};
+  }
+  const double limit = library::rivals::kFixedRange;
   if (LargestCoordinate(scene) > limit) return {.why = BeyondText(limit)};
   return {SnapDistance(8), "corners on 1/256 px, exact from there"};
 }
@@ -121,12 +124,9 @@ double CoveredPerTriangle(const Scene& scene) {
 }  // namespace
 
 ProvedError ProvedErrorOf(std::string_view name, const Scene& scene) {
-  constexpr std::string_view kKernel = "kernel-";
-  for (const auto kernel : library::kernels::kKernelMethods) {
-    if (name.starts_with(kKernel) && name.substr(kKernel.size()) == NameOf(kernel)) {
-      return KernelError(kernel, scene);
-    }
-  }
+  if (name == "kernel-exact") return {0, "exact for every finite float32"};
+  if (name == "kernel-exact-unsafe") return {.why = "it has no proved bound"};
+  if (const auto rival = library::rivals::FindRival(name)) return RivalError(*rival, scene);
   const reference::Method* const method = reference::FindMethod(name);
   if (method == nullptr) return {.why = "not a method of this program"};
   const SubjectInfo& info = method->info;

@@ -1,30 +1,33 @@
-// kFixedTiles: vertices snapped to 1/256 px, edge functions in integers over 8x8 tiles.
+// Traversal::kTiles in integers: vertices snapped to 1/256 px.
 //
 // With X, Y in units of 1/256 px, E = (X - VX) A + (Y - VY) B is an integer, and one pixel further
 // it grows by 256 A. An edge that does not own its ties subtracts 1; then E >= 0 exactly where
-// floor(E / 256) >= 0, and floor(E / 256) grows by A a pixel: that is what is stepped.
+// floor(E / 256) >= 0, and floor(E / 256) grows by A a pixel: that is what kInt32 steps. kInt64
+// steps E itself.
 //
 // Range: |coordinates| <= 2^22 (kFixedRange px), so |A|, |B| <= 2^23 and |E| < 2 * 2^25 * 2^23
 // = 2^49 at a pixel of a target of 65536 px: exact in double. |floor(E / 256)| <= 2^41.
 // Proof: reference/proofs/fixed_tiles.g, which has the integers of a tile, too.
-#ifndef RASTERPROOF_LIBRARY_KERNELS_FIXED_TILES_H_
-#define RASTERPROOF_LIBRARY_KERNELS_FIXED_TILES_H_
+#ifndef RASTERPROOF_LIBRARY_RIVALS_FIXED_TILES_H_
+#define RASTERPROOF_LIBRARY_RIVALS_FIXED_TILES_H_
 
 #include <cstdint>
 
 #include "library/kernels/blocks.h"
 #include "library/kernels/kernel_table.h"
-#include "library/kernels/tile_walk.h"
 #include "library/kernels/vectors.h"
+#include "library/rivals/edges.h"
+#include "library/rivals/reals.h"
+#include "library/rivals/tile_walk.h"
 
 namespace rasterproof::library::kernels::HWY_NAMESPACE {
 
-/// kFixedRange of kernel.h.
+/// kFixedRange of rival.h.
 constexpr float kFixedLimit = 16384;
 
 struct alignas(64) FixedBlock : Block {
   std::int32_t a[3][kBlock], b[3][kBlock];
-  double e[3][kBlock];          ///< floor(E / 256) at the box's first pixel
+  double e[3][kBlock];          ///< at the box's first pixel: floor(E / 256), or E in 64 bits
   std::uint32_t narrow;         ///< triangles whose values in the tiles of their box fit in 30 bits
   std::uint64_t masks[kBlock];  ///< of small ones: coverage of the 8x8 pixels from the box's corner
 };
@@ -65,9 +68,9 @@ struct SnappedCorners {
   }
 };
 
-template <bool kWithZ>
-HWY_INLINE void SetUpFixed(const KernelView& view, const std::uint32_t* indices,
-                           FixedBlock& block) {
+template <bool kIn32, bool kWithZ>
+HWY_NOINLINE void SetUpFixed(const KernelView& view, const std::uint32_t* indices,
+                             FixedBlock& block) {
   const DDF d;
   const DDI di;
   const DD dd;
@@ -110,8 +113,8 @@ HWY_INLINE void SetUpFixed(const KernelView& view, const std::uint32_t* indices,
       const VD bd = hn::PromoteTo(dd, b);
       const VD at_pixel = hn::Add(hn::Mul(hn::PromoteTo(dd, hn::Sub(px, x[k])), ad),
                                   hn::Mul(hn::PromoteTo(dd, hn::Sub(py, y[k])), bd));
-      const VD e =
-          hn::Floor(hn::Mul(hn::Add(at_pixel, hn::PromoteTo(dd, bias)), hn::Set(dd, 1.0 / 256)));
+      const VD biased = hn::Add(at_pixel, hn::PromoteTo(dd, bias));
+      const VD e = kIn32 ? hn::Floor(hn::Mul(biased, hn::Set(dd, 1.0 / 256))) : biased;
       hn::Store(a, di, block.a[k] + at);
       hn::Store(b, di, block.b[k] + at);
       hn::Store(e, dd, block.e[k] + at);
@@ -125,12 +128,12 @@ HWY_INLINE void SetUpFixed(const KernelView& view, const std::uint32_t* indices,
   }
   FindSmall(block);
   // A small box is what the target leaves of a triangle: its values may be large.
-  block.small &= block.narrow;
+  if constexpr (kIn32) block.small &= block.narrow;
 }
 
-/// Fills in the masks of the small triangles, as FindSmallMasks of float_edges.h. Inside is where
+/// Fills in the masks of the small triangles, as FindSmallMasks of edges.h. Inside is where
 /// no value has its sign bit.
-HWY_INLINE void FindSmallFixedMasks(FixedBlock& block) {
+inline HWY_NOINLINE void FindSmallFixedMasks(FixedBlock& block) {
   const DI di;
   const DU du;
   for (int at = 0; at < kBlock; at += kLanes) {
@@ -270,31 +273,136 @@ class FixedTileEdges {
   T e_[3], a_[3], b_[3], beyond_reject_[3], beyond_accept_[3], row_[3];
 };
 
-template <class Sink>
+/// The same in 64 bits throughout: E, of which a pixel is 256 A.
+class WideTileEdges {
+ public:
+  static constexpr int kTiles = kDoubles;
+
+  HWY_INLINE WideTileEdges(const FixedBlock& block, int i) {
+    y_ = block.y0[i] & ~7;
+    for (int k = 0; k < 3; ++k) {
+      a_[k] = 256 * std::int64_t{block.a[k][i]};
+      b_[k] = 256 * std::int64_t{block.b[k][i]};
+      e_[k] = static_cast<std::int64_t>(block.e[k][i]) - (block.x0[i] & 7) * a_[k] -
+              (block.y0[i] & 7) * b_[k];
+      reject_[k] = 7 * (Greatest(a_[k], std::int64_t{0}) + Greatest(b_[k], std::int64_t{0}));
+      accept_[k] = 7 * (Least(a_[k], std::int64_t{0}) + Least(b_[k], std::int64_t{0}));
+      for (int c = 0; c < 8; ++c) columns_[k][c] = c * a_[k];
+      for (int tile = 0; tile < kTiles; ++tile) tiles_[k][tile] = 8 * tile * a_[k];
+    }
+  }
+
+  HWY_INLINE void BeginRow(int y) {
+    for (int k = 0; k < 3; ++k) row_[k] = e_[k] + (y - y_) * b_[k];
+  }
+
+  HWY_INLINE void Classify(int i, std::uint32_t& any, std::uint32_t& full) const {
+    const DI64 d;
+    VI64 most = hn::Zero(d);  // negative where an edge rejects the tile
+    VI64 least = hn::Zero(d);
+    for (int k = 0; k < 3; ++k) {
+      const VI64 t = hn::Add(hn::Set(d, row_[k] + 8 * i * a_[k]), hn::Load(d, tiles_[k]));
+      most = hn::Or(most, hn::Add(t, hn::Set(d, reject_[k])));
+      least = hn::Or(least, hn::Add(t, hn::Set(d, accept_[k])));
+    }
+    constexpr std::uint32_t kAll = (1U << kTiles) - 1;
+    any = static_cast<std::uint32_t>(NegativeLanes(most)) ^ kAll;
+    full = static_cast<std::uint32_t>(NegativeLanes(least)) ^ kAll;
+  }
+
+  HWY_INLINE std::uint64_t Pixels(int i) const {
+    const DI64 d;
+    VI64 columns[3][8 / kDoubles];
+    for (int k = 0; k < 3; ++k) {
+      const VI64 t = hn::Set(d, row_[k] + 8 * i * a_[k]);
+      for (int c = 0; c < 8; c += kDoubles) {
+        columns[k][c / kDoubles] = hn::Add(t, hn::Load(d, columns_[k] + c));
+      }
+    }
+    std::uint64_t outside = 0;
+    for (int r = 0; r < 8; ++r) {
+      for (int c = 0; c < 8; c += kDoubles) {
+        VI64 all = hn::Zero(d);
+        for (int k = 0; k < 3; ++k) all = hn::Or(all, columns[k][c / kDoubles]);
+        outside |= NegativeLanes(all) << (8 * r + c);
+      }
+      for (int k = 0; k < 3; ++k) {
+        for (VI64& column : columns[k]) column = hn::Add(column, hn::Set(d, b_[k]));
+      }
+    }
+    return ~outside;
+  }
+
+ private:
+  alignas(64) std::int64_t columns_[3][8], tiles_[3][kTiles];
+  int y_;
+  std::int64_t e_[3], a_[3], b_[3], reject_[3], accept_[3], row_[3];
+};
+
+/// Fills in the masks of the small triangles in 64 bits.
+inline HWY_NOINLINE void FindSmallWideMasks(FixedBlock& block) {
+  const DI64 d;
+  for (int at = 0; at < kBlock; at += kDoubles) {
+    if (((block.small >> at) & ((std::uint64_t{1} << kDoubles) - 1)) == 0) continue;
+    VI64 row[3], a[3], b[3];
+    for (int k = 0; k < 3; ++k) {
+      row[k] = ToInt64(hn::Load(DD(), block.e[k] + at));
+      a[k] = hn::ShiftLeft<8>(hn::PromoteTo(d, hn::Load(DDI(), block.a[k] + at)));
+      b[k] = hn::ShiftLeft<8>(hn::PromoteTo(d, hn::Load(DDI(), block.b[k] + at)));
+    }
+    LaneMasks<DI64> masks;
+    for (int r = 0; r < block.height; ++r) {
+      VI64 e[3];
+      for (int k = 0; k < 3; ++k) {
+        e[k] = row[k];
+        row[k] = hn::Add(row[k], b[k]);
+      }
+      for (int c = 0; c < block.width; ++c) {
+        masks.AddUnless(r, c, hn::Or(hn::Or(e[0], e[1]), e[2]));
+        for (int k = 0; k < 3; ++k) e[k] = hn::Add(e[k], a[k]);
+      }
+    }
+    masks.Store(block.masks + at);
+  }
+}
+
+template <class Edges, class Sink>
+HWY_NOINLINE void DrawFixedTilesOf(const FixedBlock& block, int i, Sink sink) {
+  Edges edges(block, i);
+  WalkTiles(edges, block.BoxOf(i), sink);
+}
+
+/// kIn32: Arithmetic::kInt32, otherwise kInt64.
+template <bool kIn32, class Sink>
 void DrawFixedTiles(const KernelView& view) {
   Sink sink(view);
   FixedBlock block;
   ForEachTriangle(
       view, block,
       [&](const std::uint32_t* indices) {
-        SetUpFixed<Sink::kNeedsPlane>(view, indices, block);
-        if (block.small != 0) FindSmallFixedMasks(block);
+        SetUpFixed<kIn32, Sink::kNeedsPlane>(view, indices, block);
+        if (block.small == 0) return;
+        if constexpr (kIn32) {
+          FindSmallFixedMasks(block);
+        } else {
+          FindSmallWideMasks(block);
+        }
       },
       [&](int i, std::uint32_t triangle) {
         sink.Begin(triangle, block.IsFront(i), block.PlaneOf(i));
         if (block.IsSmall(i)) {
           const std::uint64_t bits = block.masks[i] & SmallBoxMask(block, i);
           if (bits != 0) sink.Mask8x8(block.x0[i], block.y0[i], bits);
+        } else if constexpr (!kIn32) {
+          DrawFixedTilesOf<WideTileEdges>(block, i, sink);
         } else if (((block.narrow >> i) & 1) != 0) {
-          FixedTileEdges<true> edges(block, i);
-          WalkTiles(edges, block.BoxOf(i), sink);
+          DrawFixedTilesOf<FixedTileEdges<true>>(block, i, sink);
         } else {
-          FixedTileEdges<false> edges(block, i);
-          WalkTiles(edges, block.BoxOf(i), sink);
+          DrawFixedTilesOf<FixedTileEdges<false>>(block, i, sink);
         }
       });
 }
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE
 
-#endif  // RASTERPROOF_LIBRARY_KERNELS_FIXED_TILES_H_
+#endif  // RASTERPROOF_LIBRARY_RIVALS_FIXED_TILES_H_

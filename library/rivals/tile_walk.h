@@ -1,6 +1,6 @@
 // Walking the 8x8 tiles of a triangle's box: rejected, accepted, or tested by pixel.
-#ifndef RASTERPROOF_LIBRARY_KERNELS_TILE_WALK_H_
-#define RASTERPROOF_LIBRARY_KERNELS_TILE_WALK_H_
+#ifndef RASTERPROOF_LIBRARY_RIVALS_TILE_WALK_H_
+#define RASTERPROOF_LIBRARY_RIVALS_TILE_WALK_H_
 
 #include <cstdint>
 
@@ -97,4 +97,4 @@ HWY_INLINE void WalkTiles(Edges& edges, const Box& box, Sink& sink) {
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE
 
-#endif  // RASTERPROOF_LIBRARY_KERNELS_TILE_WALK_H_
+#endif  // RASTERPROOF_LIBRARY_RIVALS_TILE_WALK_H_

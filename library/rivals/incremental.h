@@ -1,13 +1,14 @@
-// kIncremental: float32 edge functions stepped over the box, 32 pixels of a row at a time.
-#ifndef RASTERPROOF_LIBRARY_KERNELS_INCREMENTAL_H_
-#define RASTERPROOF_LIBRARY_KERNELS_INCREMENTAL_H_
+// Traversal::kRows: float32 edge functions stepped over the box by sums, 32 pixels of a row at a
+// time. No tile can compute the same: what a sum is depends on the pixels before it.
+#ifndef RASTERPROOF_LIBRARY_RIVALS_INCREMENTAL_H_
+#define RASTERPROOF_LIBRARY_RIVALS_INCREMENTAL_H_
 
 #include <cstdint>
 
 #include "library/kernels/blocks.h"
-#include "library/kernels/float_edges.h"
 #include "library/kernels/kernel_table.h"
 #include "library/kernels/vectors.h"
+#include "library/rivals/edges.h"
 
 namespace rasterproof::library::kernels::HWY_NAMESPACE {
 
@@ -17,7 +18,7 @@ constexpr int kStep = 32;
 /// Column c of a row has E = (row + (c mod 32) a) + 32 a + ... + 32 a; each row begins b after the
 /// last.
 template <class Sink>
-HWY_INLINE void StepOverBox(const FloatBlock& block, int i, Sink& sink) {
+HWY_INLINE void StepOverBox(const EdgeBlock<float>& block, int i, Sink& sink) {
   const DF d;
   constexpr int kVectors = kStep / kLanes;
   const Box box = block.BoxOf(i);
@@ -62,12 +63,12 @@ HWY_INLINE void StepOverBox(const FloatBlock& block, int i, Sink& sink) {
 template <class Sink>
 void DrawIncremental(const KernelView& view) {
   Sink sink(view);
-  FloatBlock block;
+  EdgeBlock<float> block;
   ForEachTriangle(
       view, block,
       [&](const std::uint32_t* indices) {
-        SetUpFloatEdges<Sink::kNeedsPlane>(view, indices, block);
-        if (block.small != 0) FindSmallMasks<true>(block);
+        SetUpEdges<float, Form::kStepped, Sink::kNeedsPlane>(view, indices, block);
+        if (block.small != 0) FindSmallMasks<float, Form::kStepped, true>(block);
       },
       [&](int i, std::uint32_t triangle) {
         sink.Begin(triangle, block.IsFront(i), block.PlaneOf(i));
@@ -82,4 +83,4 @@ void DrawIncremental(const KernelView& view) {
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE
 
-#endif  // RASTERPROOF_LIBRARY_KERNELS_INCREMENTAL_H_
+#endif  // RASTERPROOF_LIBRARY_RIVALS_INCREMENTAL_H_

@@ -1,17 +1,18 @@
-// kMaskRows: the crossings of scanline.h as shifted masks of 8 rows by 32 pixels, in the manner of
-// masked occlusion culling, into strips of 32 pixels that are turned into rows at the end.
+// Traversal::kMaskTiles: the crossings of spans.h as shifted masks of 8 rows by 32 pixels, in the
+// manner of masked occlusion culling, into strips of 32 pixels that are turned into rows at the end.
 //
 // A tile of 32x8 that is full is skipped by a bit in its row of tiles.
-#ifndef RASTERPROOF_LIBRARY_KERNELS_MASK_ROWS_H_
-#define RASTERPROOF_LIBRARY_KERNELS_MASK_ROWS_H_
+#ifndef RASTERPROOF_LIBRARY_RIVALS_MASK_ROWS_H_
+#define RASTERPROOF_LIBRARY_RIVALS_MASK_ROWS_H_
 
 #include <cstddef>
 #include <cstdint>
 
 #include "library/kernels/blocks.h"
 #include "library/kernels/kernel_table.h"
-#include "library/kernels/scanline.h"
 #include "library/kernels/vectors.h"
+#include "library/rivals/reals.h"
+#include "library/rivals/spans.h"
 
 namespace rasterproof::library::kernels::HWY_NAMESPACE {
 
@@ -57,11 +58,15 @@ class MaskStrips {
     }
   }
 
-  HWY_INLINE void OrTriangle(const ScanBlock& block, int i) {
+  HWY_INLINE void OrTriangle(const SpanBlock<float>& block, int i) {
     const D8 d;
     const DI8 di;
     const Box box = block.BoxOf(i);
-    const ScanEdges<D8> edges = EdgesOf(d, block, i);
+    const SpanEdges<D8, false> edges(block, [&](const float* p) { return hn::Set(d, p[i]); });
+    const auto column = [&](hn::Vec<D8> crossing) {
+      const auto from = hn::Max(hn::Ceil(crossing), hn::Set(d, static_cast<float>(box.x0)));
+      return hn::ConvertTo(di, hn::Min(from, hn::Set(d, static_cast<float>(box.x1))));
+    };
     const int first = box.x0 >> 5;
     const int end = (box.x1 + 31) >> 5;
     for (int y = box.y0 & ~7; y < box.y1; y += 8) {
@@ -70,13 +75,16 @@ class MaskStrips {
       auto most = hn::Zero(di);
       for (int v = 0; v < 8 / kEight; ++v) {
         const auto row = FloatsFrom(d, static_cast<float>(y + v * kEight));
-        const auto rows = edges.At(d, hn::Add(row, hn::Set(d, 0.5F)));
+        hn::Vec<D8> by_long, by_short;
+        edges.At(hn::Add(row, hn::Set(d, 0.5F)), by_long, by_short);
+        const auto a = column(by_long);
+        const auto b = column(by_short);
         const auto inside =
             hn::RebindMask(di, hn::And(hn::Ge(row, hn::Set(d, static_cast<float>(box.y0))),
                                        hn::Lt(row, hn::Set(d, static_cast<float>(box.y1)))));
         // Rows outside the box begin where the target ends.
-        left[v] = hn::IfThenElse(inside, rows.left, hn::Set(di, 1 << 20));
-        right[v] = hn::IfThenElseZero(inside, rows.right);
+        left[v] = hn::IfThenElse(inside, hn::Min(a, b), hn::Set(di, 1 << 20));
+        right[v] = hn::IfThenElseZero(inside, hn::Max(a, b));
         least = hn::Min(least, left[v]);
         most = hn::Max(most, right[v]);
       }
@@ -141,12 +149,12 @@ class MaskStrips {
 
 inline void DrawMaskRows(const KernelView& view) {
   MaskStrips strips(view);
-  ScanBlock block;
+  SpanBlock<float> block;
   ForEachTriangle(
       view, block,
       [&](const std::uint32_t* indices) {
-        SetUpScan<false>(view, indices, block);
-        if (block.small != 0) FindSmallScanMasks(block);
+        SetUpSpans<float, Form::kDirect, false>(view, indices, block);
+        if (block.small != 0) FindSmallSpans<float, false>(block);
       },
       [&](int i, std::uint32_t /*triangle*/) {
         if (block.IsSmall(i)) {
@@ -160,4 +168,4 @@ inline void DrawMaskRows(const KernelView& view) {
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE
 
-#endif  // RASTERPROOF_LIBRARY_KERNELS_MASK_ROWS_H_
+#endif  // RASTERPROOF_LIBRARY_RIVALS_MASK_ROWS_H_

@@ -1,0 +1,132 @@
+// The exact kernel, its rivals and a stranger's plugin side by side, into counts of either facing
+// or a mask: nanoseconds a triangle, the least of interleaved draws.
+//
+//     rival_cost PLUGIN.so TARGET SINK ROUNDS FAMILY... (TARGET: avx2, avx512, ...)
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/family.h"
+#include "core/clock.h"
+#include "core/scene.h"
+#include "kit/rasterproof_plugin.h"
+#include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
+
+namespace rasterproof::bench {
+namespace {
+
+namespace kernels = library::kernels;
+namespace rivals = library::rivals;
+
+using Drawing = std::function<void()>;
+struct Runner {
+  std::string name;
+  Drawing draw;
+  double least = std::numeric_limits<double>::infinity();
+};
+
+/// The plugin as it draws in its own process: vertices converted before.
+class Plugin {
+ public:
+  explicit Plugin(const char* path) {
+    void* const library = dlopen(path, RTLD_NOW);
+    void* const describe =
+        library == nullptr ? nullptr : dlsym(library, "rasterproof_plugin_describe");
+    if (describe == nullptr) {
+      std::fprintf(stderr, "rival_cost: %s\n", dlerror());
+      std::exit(2);
+    }
+    plugin_ = reinterpret_cast<const rasterproof_plugin* (*)()>(describe)();
+  }
+  Drawing On(const FamilyInput& family) {
+    vertices_.clear();
+    for (const kernels::KernelVertex& v : family.vertices) {
+      vertices_.insert(vertices_.end(), {v.x, v.y, 0.0, 1.0});
+    }
+    indices_.assign(family.indices.begin(), family.indices.end());
+    const auto stride = static_cast<std::size_t>(family.scene.width);
+    for (auto* const counts : {&front_, &back_}) {
+      counts->assign(stride * static_cast<std::size_t>(family.scene.height), 0);
+    }
+    scene_ = {};
+    scene_.size = sizeof scene_;
+    scene_.width = family.scene.width;
+    scene_.height = family.scene.height;
+    scene_.vertices = vertices_.data();
+    scene_.triangles = indices_.data();
+    scene_.vertex_count = family.vertices.size();
+    scene_.triangle_count = indices_.size() / 3;
+    target_ = {};
+    target_.size = sizeof target_;
+    target_.samples = 1;
+    target_.stride = stride;
+    target_.front = front_.data();
+    target_.back = back_.data();
+    return [this] { plugin_->draw(nullptr, &scene_, &target_); };
+  }
+
+ private:
+  const rasterproof_plugin* plugin_ = nullptr;
+  std::vector<double> vertices_;
+  std::vector<std::int32_t> indices_;
+  std::vector<std::uint32_t> front_, back_;
+  rasterproof_scene scene_{};
+  rasterproof_target target_{};
+};
+
+int Run(int argc, char** argv) {
+  if (argc < 6) {
+    std::fputs("rival_cost: give PLUGIN.so TARGET SINK ROUNDS FAMILY...\n", stderr);
+    return 2;
+  }
+  Plugin plugin(argv[1]);
+  const auto named = [](auto value) { return NameOf(value); };
+  const auto target = *std::ranges::find(kernels::kTargets, std::string_view(argv[2]), named);
+  const auto sink = *std::ranges::find(kernels::kSinks, std::string_view(argv[3]), named);
+  for (int i = 5; i < argc; ++i) {
+    const auto kinds = FamilyKinds();
+    const auto kind = std::ranges::find(kinds, std::string_view(argv[i]), &FamilyKind::name);
+    if (kind == kinds.end()) return 2;
+    const FamilyInput family = MakeFamily(*kind, FamilySize::kQuick, 1);
+    const kernels::KernelScene scene = family.KernelScene();
+    kernels::Surface surface(sink, scene.width, scene.height);
+    std::vector<Runner> runners;
+    for (const auto kernel : kernels::kKernelMethods) {
+      runners.push_back({"kernel-" + std::string(NameOf(kernel)),
+                         [&, kernel] { kernels::Draw(kernel, target, scene, surface); }});
+    }
+    for (const rivals::Rival& rival : rivals::kRivals) {
+      if (!Draws(rival, target, sink)) continue;
+      runners.push_back({NameOf(rival), [&, rival] { Draw(rival, target, scene, surface); }});
+    }
+    if (sink == kernels::Sink::kFacing) runners.push_back({"plugin", plugin.On(family)});
+    for (int round = 0; round < std::atoi(argv[4]); ++round) {
+      for (Runner& runner : runners) {
+        runner.draw();
+        runner.least = std::min(runner.least, Timed(runner.draw).seconds);
+      }
+    }
+    const auto triangles = static_cast<double>(scene.indices.size() / 3);
+    std::printf("%s (%.0f triangles), %s, %s\n", argv[i], triangles, argv[2], argv[3]);
+    for (const Runner& runner : runners) {
+      std::printf("  %-20s %12.1f %8.2f\n", runner.name.c_str(), 1e9 * runner.least / triangles,
+                  runner.least / runners.front().least);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace rasterproof::bench
+
+int main(int argc, char** argv) { return rasterproof::bench::Run(argc, argv); }

@@ -1,0 +1,124 @@
+// The rivals of the exact kernel against plain definitions of them, by every sink and target.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/coverage.h"
+#include "core/error.h"
+#include "core/scene.h"
+#include "core/vertex.h"
+#include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
+#include "reference/method.h"
+#include "reference/rasterize.h"
+#include "tests/library/drawn_scenes.h"
+#include "tests/library/kernel_definitions.h"
+#include "tests/library/rival_definitions.h"
+#include "tests/share.h"
+
+namespace rasterproof::library::rivals {
+namespace {
+
+using kernels::DefineSurface;
+using kernels::DrawnScenes;
+using kernels::FirstDifference;
+using kernels::KernelScene;
+using kernels::KernelVertex;
+using kernels::kSinks;
+using kernels::OwnedScene;
+using kernels::RandomScene;
+using kernels::Sink;
+using kernels::SupportedTargets;
+using kernels::Surface;
+using kernels::Target;
+
+TEST(RivalsTest, EveryRivalSinkAndTargetDrawsItsDefinition) {
+  for (const OwnedScene& scene : DrawnScenes(Cases(100))) {
+    const KernelScene view = scene.View();
+    for (const Rival& rival : kRivals) {
+      for (const Sink sink : kSinks) {
+        if (!Draws(rival, Target::kScalar, sink)) continue;
+        const auto expected = DefineSurface(sink, view, [&](const KernelTriangle& t) {
+          return Define(rival, t, view.width, view.height);
+        });
+        for (const Target target : SupportedTargets()) {
+          if (!Draws(rival, target, sink)) continue;
+          Surface surface(sink, scene.width, scene.height);
+          Draw(rival, target, view, surface);
+          EXPECT_EQ(FirstDifference(surface, expected), "")
+              << scene.name << ' ' << NameOf(rival) << ' ' << NameOf(sink) << ' ' << NameOf(target);
+        }
+      }
+    }
+  }
+}
+
+TEST(RivalsTest, EachHasANameAndDrawsMasks) {
+  std::set<std::string> names;
+  for (const Rival& rival : kRivals) {
+    EXPECT_TRUE(names.insert(NameOf(rival)).second) << NameOf(rival);
+    EXPECT_EQ(FindRival(NameOf(rival)), rival);
+    EXPECT_TRUE(Draws(rival, WidestTarget(), Sink::kMask)) << NameOf(rival);
+    const bool has_facing = rival.traversal != Traversal::kMaskTiles;
+    EXPECT_EQ(Draws(rival, WidestTarget(), Sink::kFacing), has_facing) << NameOf(rival);
+  }
+  EXPECT_EQ(FindRival("spans"), std::nullopt);
+}
+
+TEST(RivalsTest, WhatThereIsNoKernelForIsRefused) {
+  const OwnedScene scene = RandomScene(7, 9, 9, 1);
+  const Rival masks{Traversal::kMaskTiles, Arithmetic::kFloat32Direct};
+  Surface facings(Sink::kFacing, 9, 9);
+  EXPECT_THROW(Draw(masks, Target::kScalar, scene.View(), facings), InputError);
+  Surface small(Sink::kMask, 8, 9);
+  EXPECT_THROW(Draw(masks, Target::kScalar, scene.View(), small), InputError);
+}
+
+// The tiles' snap and tie rule are the 8-bit model's, in their range.
+TEST(RivalsTest, FixedTilesDrawTheCanonicalModelOfEightBits) {
+  const reference::Method* canonical = reference::FindMethod("i64-snap8");
+  ASSERT_NE(canonical, nullptr);
+  for (int seed = 0; seed < Cases(6); ++seed) {
+    // Every second target holds little of triangles that are large.
+    const bool tiny = seed % 2 == 1;
+    OwnedScene owned = RandomScene(static_cast<std::uint64_t>(100 + seed), tiny ? 3 : 130,
+                                   tiny ? 2 : 50, tiny ? 400 : 100);
+    Scene scene;
+    scene.width = owned.width;
+    scene.height = owned.height;
+    for (KernelVertex& v : owned.vertices) {
+      if (tiny) v = {v.x * 500, v.y * 900, v.z};
+      v.x = std::isfinite(v.x) ? std::fmax(-kFixedRange, std::fmin(v.x, kFixedRange)) : 0;
+      v.y = std::isfinite(v.y) ? std::fmax(-kFixedRange, std::fmin(v.y, kFixedRange)) : 0;
+      scene.vertices.push_back({.x = v.x, .y = v.y});
+    }
+    for (std::int32_t i = 0; i < static_cast<std::int32_t>(owned.indices.size()); i += 3) {
+      scene.triangles.push_back({i, i + 1, i + 2});
+    }
+    CoverageCounts expected(scene.width, scene.height);
+    Rasterize(scene, *canonical, {}, expected);
+    std::vector<std::uint64_t> pixels;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      pixels.push_back(expected.front[i] | std::uint64_t{expected.back[i]} << 32);
+    }
+    for (const Arithmetic arithmetic : {Arithmetic::kInt32, Arithmetic::kInt64}) {
+      const Rival rival{Traversal::kTiles, arithmetic};
+      for (const Target target : SupportedTargets()) {
+        if (!Draws(rival, target, Sink::kFacing)) continue;
+        Surface surface(Sink::kFacing, scene.width, scene.height);
+        Draw(rival, target, owned.View(), surface);
+        EXPECT_EQ(FirstDifference(surface, pixels), "")
+            << NameOf(rival) << ' ' << NameOf(target) << ' ' << owned.name;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace rasterproof::library::rivals

@@ -1,5 +1,4 @@
-/* A rasterizer in C as a plugin: doubles, spans between the crossings of edges with rows. Not exact:
- * what `bench` measures it beside is in docs/bench.md.
+/* A rasterizer in C as a plugin: doubles, spans between the crossings of edges with rows; not exact.
  *
  *     cc -std=c11 -O3 -march=native -shared -fPIC -I. kit/examples/spans.c -o spans.so -lm
  *     build/rasterproof bench --plugin ./spans.so

@@ -1,5 +1,6 @@
 // Traversal::kMaskTiles: the crossings of spans.h as shifted masks of 8 rows by 32 pixels, in the
-// manner of masked occlusion culling, into strips of 32 pixels that are turned into rows at the end.
+// manner of masked occlusion culling, into strips of 32 pixels that are turned into rows at the
+// end.
 //
 // A tile of 32x8 that is full is skipped by a bit in its row of tiles.
 #ifndef RASTERPROOF_LIBRARY_RIVALS_MASK_ROWS_H_

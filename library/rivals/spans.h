@@ -7,7 +7,7 @@
 //   direct   (xa - 1/2) + (y - ya) s
 //   affine   ((xa - 1/2) - ya s) + y s
 //   stepped  c + (y - y') s, where c is the direct one of the edge's first row, at y'
-// rounded up and kept within the box; the row's span lies between its two crossings, half-open: so
+// (in float64 each sum with its product is fused) rounded up and kept within the box; the row's span lies between its two crossings, half-open: so
 // top-left without a test. Both triangles at an edge compute the same numbers: watertight.
 #ifndef RASTERPROOF_LIBRARY_RIVALS_SPANS_H_
 #define RASTERPROOF_LIBRARY_RIVALS_SPANS_H_
@@ -29,8 +29,9 @@ enum ScanEdge : int { kUpper, kLower, kLong };
 template <class T>
 struct alignas(64) SpanBlock : Block {
   T from[3][kBlock], slope[3][kBlock];
-  T top[2][kBlock];             ///< where the long and the upper edge are at `from`; the lower one
-  std::uint32_t inside;         ///< wholly on the target
+  T top[2][kBlock];  ///< where the long and the upper edge are at `from`; the lower one
+  std::int32_t middle_row[kBlock];  ///< the first row at or below the middle corner
+  std::uint32_t inside;             ///< wholly on the target
   std::uint64_t masks[kBlock];  ///< of small ones: coverage of the 8x8 pixels from the box's corner
 };
 
@@ -45,6 +46,21 @@ HWY_INLINE auto SortPair(V& ya, V& yb, V& xa, V& xb) {
   ya = y;
   xa = x;
   return swap;
+}
+
+/// An edge's crossing with the row `below` where it is at `from`.
+template <class D>
+HWY_INLINE hn::Vec<D> Along(D d, hn::Vec<D> from, hn::Vec<D> below, hn::Vec<D> slope) {
+  if constexpr (sizeof(hn::TFromD<D>) == sizeof(float)) {
+    return hn::Add(from, hn::Mul(below, slope));
+  } else {
+#if HWY_TARGET == HWY_SCALAR
+    return hn::Set(d, __builtin_fma(below.raw, slope.raw, from.raw));
+#else
+    (void)d;
+    return hn::MulAdd(below, slope, from);
+#endif
+  }
 }
 
 /// Sorted corners of a group of kLanes triangles, in memory: T may have fewer lanes.
@@ -81,10 +97,8 @@ HWY_INLINE void SetUpSpanEdges(const SortedGroup& g, int at, int h, SpanBlock<T>
     const int b = kEnds[k][1];
     const V slope = hn::Div(hn::Sub(x[b], x[a]), hn::Sub(y[b], y[a]));
     V from = hn::Sub(x[a], half);
-    if constexpr (kForm == Form::kAffine) from = hn::Sub(from, hn::Mul(y[a], slope));
-    if constexpr (kForm == Form::kStepped) {
-      from = hn::Add(from, hn::Mul(hn::Sub(top[a], y[a]), slope));
-    }
+    if constexpr (kForm == Form::kAffine) from = Along(d, from, hn::Neg(y[a]), slope);
+    if constexpr (kForm == Form::kStepped) from = Along(d, from, hn::Sub(top[a], y[a]), slope);
     hn::Store(from, d, block.from[k] + at + h);
     hn::Store(slope, d, block.slope[k] + at + h);
   }
@@ -125,9 +139,11 @@ HWY_NOINLINE void SetUpSpans(const KernelView& view, const std::uint32_t* indice
       hn::Store(c.x[k], d, g.x[k]);
       hn::Store(c.y[k], d, g.y[k]);
     }
+    const VI middle = FirstCentreFrom(d, c.y[1], view.height);
+    hn::Store(middle, di, block.middle_row + at);
     if constexpr (kForm == Form::kStepped) {
       hn::Store(hn::ConvertTo(d, y0), d, g.first[0]);
-      hn::Store(hn::ConvertTo(d, FirstCentreFrom(d, c.y[1], view.height)), d, g.first[1]);
+      hn::Store(hn::ConvertTo(d, middle), d, g.first[1]);
     }
     for (int h = 0; h < kLanes; h += kReals<T>) {
       SetUpSpanEdges<T, kForm>(g, at, h, block, front, has_area);
@@ -163,15 +179,26 @@ struct SpanEdges {
     const auto is_upper = hn::Lt(y, top[1]);
     const auto f = hn::IfThenElse(is_upper, from[kUpper], from[kLower]);
     const auto s = hn::IfThenElse(is_upper, slope[kUpper], slope[kLower]);
+    const D d;
     if constexpr (kAffine) {
-      by_long = hn::Add(from[kLong], hn::Mul(y, slope[kLong]));
-      by_short = hn::Add(f, hn::Mul(y, s));
+      by_long = Along(d, from[kLong], y, slope[kLong]);
+      by_short = Along(d, f, y, s);
     } else {
       const auto below = hn::Sub(y, top[0]);
       const auto below_short = hn::IfThenElse(is_upper, below, hn::Sub(y, top[1]));
-      by_long = hn::Add(from[kLong], hn::Mul(below, slope[kLong]));
-      by_short = hn::Add(f, hn::Mul(below_short, s));
+      by_long = Along(d, from[kLong], below, slope[kLong]);
+      by_short = Along(d, f, below_short, s);
     }
+  }
+
+  /// The same of rows that all meet the short edge `edge`.
+  template <int kEdge>
+  HWY_INLINE void AtEdge(V y, V& by_long, V& by_short) const {
+    const D d;
+    const V below = kAffine ? y : hn::Sub(y, top[0]);
+    const V below_short = kAffine || kEdge == kUpper ? below : hn::Sub(y, top[1]);
+    by_long = Along(d, from[kLong], below, slope[kLong]);
+    by_short = Along(d, from[kEdge], below_short, slope[kEdge]);
   }
 };
 
@@ -234,19 +261,17 @@ HWY_NOINLINE void FindSmallSpans(SpanBlock<T>& block) {
   }
 }
 
-/// Draws the rows of a triangle, kLanes at a time. kInside: it is wholly on the target.
-template <class T, bool kAffine, bool kInside, class Sink>
-HWY_NOINLINE void DrawSpanRows(const SpanBlock<T>& block, int i, Sink sink) {
+/// Draws rows [begin, end) of a triangle, kLanes at a time. kInside: it is wholly on the target.
+/// at(y, a, b) finds where they cross the long edge and the short one.
+template <class T, bool kInside, class Sink, class At>
+HWY_INLINE void DrawSpanRowsOf(const Box& box, int begin, int end, Sink& sink, const At& at) {
   const DI di;
   const RealTag<T> d;
-  const Box box = block.BoxOf(i);
-  const SpanEdges<RealTag<T>, kAffine> edges(block, [&](const T* p) { return hn::Set(d, p[i]); });
   const VI x0 = hn::Set(di, box.x0);
   const VI x1 = hn::Set(di, box.x1);
-  for (int row = box.y0; row < box.y1; row += kLanes) {
-    const int rows = Least(kLanes, box.y1 - row);
+  for (int row = begin; row < end; row += kLanes) {
     const CrossedRows<T> crossed(x0, x1, [&](int h, RealVec<T>& a, RealVec<T>& b) {
-      edges.At(RealsFrom(static_cast<T>(row + h) + T{0.5}), a, b);
+      at(RealsFrom(static_cast<T>(row + h) + T{0.5}), a, b);
       if constexpr (!kInside) {  // of what is no number, x0
         const auto least = hn::Set(d, static_cast<T>(box.x0));
         const auto most = hn::Set(d, static_cast<T>(box.x1));
@@ -254,8 +279,43 @@ HWY_NOINLINE void DrawSpanRows(const SpanBlock<T>& block, int i, Sink sink) {
         b = hn::Min(hn::Max(b, least), most);
       }
     });
-    EmitRows(sink, box.x1 - box.x0, row, rows, crossed.first, crossed.last);
+    EmitRows(sink, box.x1 - box.x0, row, Least(kLanes, end - row), crossed.first, crossed.last);
   }
+}
+
+template <class T, bool kAffine, bool kInside, class Sink>
+HWY_NOINLINE void DrawSpanRows(const SpanBlock<T>& block, int i, Sink sink) {
+  const RealTag<T> d;
+  using V = RealVec<T>;
+  const Box box = block.BoxOf(i);
+  const SpanEdges<RealTag<T>, kAffine> edges(block, [&](const T* p) { return hn::Set(d, p[i]); });
+  DrawSpanRowsOf<T, kInside>(box, box.y0, box.y1, sink,
+                             [&](V y, V& a, V& b) { edges.At(y, a, b); });
+}
+
+/// Triangles of more rows are drawn in two halves, so that no row chooses its short edge.
+constexpr int kTall = 32;
+
+/// The rows [begin, end), which meet the short edge kEdge.
+template <class T, bool kAffine, bool kInside, int kEdge, class Sink>
+HWY_NOINLINE void DrawTallRows(const SpanBlock<T>& block, int i, int begin, int end, Sink sink) {
+  const RealTag<T> d;
+  using V = RealVec<T>;
+  const SpanEdges<RealTag<T>, kAffine> edges(block, [&](const T* p) { return hn::Set(d, p[i]); });
+  DrawSpanRowsOf<T, kInside>(block.BoxOf(i), begin, end, sink,
+                             [&](V y, V& a, V& b) { edges.template AtEdge<kEdge>(y, a, b); });
+}
+
+template <class T, bool kAffine, bool kInside, class Sink>
+HWY_INLINE void DrawLarge(const SpanBlock<T>& block, int i, const Sink& sink) {
+  const Box box = block.BoxOf(i);
+  if (box.y1 - box.y0 <= kTall) {
+    DrawSpanRows<T, kAffine, kInside>(block, i, sink);
+    return;
+  }
+  const int middle = Least(Greatest(block.middle_row[i], box.y0), box.y1);
+  DrawTallRows<T, kAffine, kInside, kUpper>(block, i, box.y0, middle, sink);
+  DrawTallRows<T, kAffine, kInside, kLower>(block, i, middle, box.y1, sink);
 }
 
 template <class T, Form kForm, class Sink>
@@ -274,9 +334,9 @@ void DrawSpans(const KernelView& view) {
         if (block.IsSmall(i)) {
           if (block.masks[i] != 0) sink.Mask8x8(block.x0[i], block.y0[i], block.masks[i]);
         } else if (((block.inside >> i) & 1) != 0) {
-          DrawSpanRows<T, kAffine, true>(block, i, sink);
+          DrawLarge<T, kAffine, true>(block, i, sink);
         } else {
-          DrawSpanRows<T, kAffine, false>(block, i, sink);
+          DrawLarge<T, kAffine, false>(block, i, sink);
         }
       });
 }

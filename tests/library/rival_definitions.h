@@ -218,11 +218,14 @@ void Spans(KernelTriangle t, Form form, int width, int height, Covered& covered)
     const auto crossing = [&](const KernelVertex& from, const KernelVertex& to) {
       const T ax = from.x, ay = from.y, bx = to.x, by = to.y;
       const T slope = (bx - ax) / (by - ay);
-      T at = (ax - T{0.5}) + (y - ay) * slope;
-      if (form == Form::kAffine) at = ((ax - T{0.5}) - ay * slope) + y * slope;
+      const auto along = [&](T start, T below) {
+        return sizeof(T) == sizeof(double) ? std::fma(below, slope, start) : start + below * slope;
+      };
+      T at = along(ax - T{0.5}, y - ay);
+      if (form == Form::kAffine) at = along(along(ax - T{0.5}, -ay), y);
       if (form == Form::kStepped) {
         const T first = Centre<T>(FirstCentreFrom(from.y, height));
-        at = ((ax - T{0.5}) + (first - ay) * slope) + (y - first) * slope;
+        at = along(along(ax - T{0.5}, first - ay), y - first);
       }
       if (std::isnan(at)) return x0;
       return static_cast<int>(std::clamp(std::ceil(at), static_cast<T>(x0), static_cast<T>(x1)));

@@ -22,9 +22,13 @@
 #include "library/kernels/kernel.h"
 #include "library/rivals/rival.h"
 
-namespace rasterproof::bench {
+namespace rasterproof::lab {
 namespace {
 
+using bench::FamilyInput;
+using bench::FamilyKind;
+using bench::FamilyKinds;
+using bench::FamilySize;
 namespace kernels = library::kernels;
 namespace rivals = library::rivals;
 
@@ -97,7 +101,7 @@ int Run(int argc, char** argv) {
     const auto kinds = FamilyKinds();
     const auto kind = std::ranges::find(kinds, std::string_view(argv[i]), &FamilyKind::name);
     if (kind == kinds.end()) return 2;
-    const FamilyInput family = MakeFamily(*kind, FamilySize::kQuick, 1);
+    const FamilyInput family = bench::MakeFamily(*kind, FamilySize::kQuick, 1);
     const kernels::KernelScene scene = family.KernelScene();
     kernels::Surface surface(sink, scene.width, scene.height);
     std::vector<Runner> runners;
@@ -111,22 +115,26 @@ int Run(int argc, char** argv) {
     }
     if (sink == kernels::Sink::kFacing) runners.push_back({"plugin", plugin.On(family)});
     for (int round = 0; round < std::atoi(argv[4]); ++round) {
+      // Each begins a round in turn.
+      std::ranges::rotate(runners, runners.begin() + 1);
       for (Runner& runner : runners) {
         runner.draw();
         runner.least = std::min(runner.least, Timed(runner.draw).seconds);
       }
     }
+    std::ranges::sort(runners, {}, &Runner::least);
+    const double exact = std::ranges::find(runners, "kernel-exact", &Runner::name)->least;
     const auto triangles = static_cast<double>(scene.indices.size() / 3);
     std::printf("%s (%.0f triangles), %s, %s\n", argv[i], triangles, argv[2], argv[3]);
     for (const Runner& runner : runners) {
       std::printf("  %-20s %12.1f %8.2f\n", runner.name.c_str(), 1e9 * runner.least / triangles,
-                  runner.least / runners.front().least);
+                  runner.least / exact);
     }
   }
   return 0;
 }
 
 }  // namespace
-}  // namespace rasterproof::bench
+}  // namespace rasterproof::lab
 
-int main(int argc, char** argv) { return rasterproof::bench::Run(argc, argv); }
+int main(int argc, char** argv) { return rasterproof::lab::Run(argc, argv); }

@@ -1,12 +1,17 @@
 // Draws one family once by one method: scripts/count_instructions counts its instructions.
 //
 //     count_instructions METHOD FAMILY
+//
+// Kernels and rivals draw a mask, by the widest vectors that there are (under callgrind: AVX2).
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 
 #include "bench/family.h"
 #include "core/coverage.h"
+#include "library/kernels/kernel.h"
+#include "library/rivals/rival.h"
 #include "reference/method.h"
 #include "reference/rasterize.h"
 
@@ -19,16 +24,37 @@ __attribute__((noinline)) void Counted(const Scene& scene, const reference::Meth
   reference::Rasterize(scene, method, {}, counts);
 }
 
+__attribute__((noinline)) void Counted(const FamilyInput& family,
+                                       const std::optional<library::rivals::Rival>& rival,
+                                       library::kernels::Surface& surface) {
+  const auto target = library::rivals::WidestTarget();
+  if (rival) {
+    Draw(*rival, target, family.KernelScene(), surface);
+  } else {
+    Draw(library::kernels::KernelMethod::kExact, target, family.KernelScene(), surface);
+  }
+}
+
 int Run(std::string_view name, std::string_view family_name) {
   const auto kinds = FamilyKinds();
   const auto kind = std::ranges::find(kinds, family_name, &FamilyKind::name);
   const reference::Method* const method = reference::FindMethod(name);
-  if (method == nullptr || kind == kinds.end()) {
+  const auto rival = library::rivals::FindRival(name);
+  const bool is_vectors = rival || name == "kernel-exact";
+  if ((method == nullptr && !is_vectors) || kind == kinds.end()) {
     std::fputs("count_instructions: give METHOD and FAMILY as rasterproof bench names them\n",
                stderr);
     return 2;
   }
   const FamilyInput family = MakeFamily(*kind, FamilySize::kQuick, 1);
+  if (is_vectors) {
+    if (!family.KernelsDrawIt()) return 4;
+    library::kernels::Surface surface(library::kernels::Sink::kMask, family.scene.width,
+                                      family.scene.height);
+    Counted(family, rival, surface);
+    std::printf("%zu\n", family.scene.triangles.size());
+    return 0;
+  }
   if (!Takes(method->info, family.scene)) return 4;
   CoverageCounts counts(family.scene.width, family.scene.height);
   Counted(family.scene, *method, counts);

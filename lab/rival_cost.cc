@@ -52,16 +52,13 @@ class Plugin {
     }
     plugin_ = reinterpret_cast<const rasterproof_plugin* (*)()>(describe)();
   }
-  Drawing On(const FamilyInput& family) {
+  /// Into the surface's own memory, so that all draw into the same.
+  Drawing On(const FamilyInput& family, kernels::Surface& surface) {
     vertices_.clear();
     for (const kernels::KernelVertex& v : family.vertices) {
       vertices_.insert(vertices_.end(), {v.x, v.y, 0.0, 1.0});
     }
     indices_.assign(family.indices.begin(), family.indices.end());
-    const auto stride = static_cast<std::size_t>(family.scene.width);
-    for (auto* const counts : {&front_, &back_}) {
-      counts->assign(stride * static_cast<std::size_t>(family.scene.height), 0);
-    }
     scene_ = {};
     scene_.size = sizeof scene_;
     scene_.width = family.scene.width;
@@ -73,9 +70,9 @@ class Plugin {
     target_ = {};
     target_.size = sizeof target_;
     target_.samples = 1;
-    target_.stride = stride;
-    target_.front = front_.data();
-    target_.back = back_.data();
+    target_.stride = static_cast<std::size_t>(surface.pitch());
+    target_.front = reinterpret_cast<std::uint32_t*>(surface.plane(0));
+    target_.back = reinterpret_cast<std::uint32_t*>(surface.plane(1));
     return [this] { plugin_->draw(nullptr, &scene_, &target_); };
   }
 
@@ -83,7 +80,6 @@ class Plugin {
   const rasterproof_plugin* plugin_ = nullptr;
   std::vector<double> vertices_;
   std::vector<std::int32_t> indices_;
-  std::vector<std::uint32_t> front_, back_;
   rasterproof_scene scene_{};
   rasterproof_target target_{};
 };
@@ -113,7 +109,7 @@ int Run(int argc, char** argv) {
       if (!Draws(rival, target, sink)) continue;
       runners.push_back({NameOf(rival), [&, rival] { Draw(rival, target, scene, surface); }});
     }
-    if (sink == kernels::Sink::kFacing) runners.push_back({"plugin", plugin.On(family)});
+    if (sink == kernels::Sink::kFacing) runners.push_back({"plugin", plugin.On(family, surface)});
     for (int round = 0; round < std::atoi(argv[4]); ++round) {
       // Each begins a round in turn.
       std::ranges::rotate(runners, runners.begin() + 1);

@@ -1,4 +1,5 @@
-/* A rasterizer in C as a plugin: doubles, spans between the crossings of edges with rows; not exact.
+/* A rasterizer in C as a plugin: doubles, spans between the crossings of edges with rows. It is not
+ * exact.
  *
  *     cc -std=c11 -O3 -march=native -shared -fPIC -I. kit/examples/spans.c -o spans.so -lm
  *     build/rasterproof bench --plugin ./spans.so

@@ -7,8 +7,9 @@
 //   direct   (xa - 1/2) + (y - ya) s
 //   affine   ((xa - 1/2) - ya s) + y s
 //   stepped  c + (y - y') s, where c is the direct one of the edge's first row, at y'
-// (in float64 each sum with its product is fused) rounded up and kept within the box; the row's span lies between its two crossings, half-open: so
-// top-left without a test. Both triangles at an edge compute the same numbers: watertight.
+// rounded up and kept within the box; in float64 each sum with its product is fused. The row's span
+// lies between its two crossings, half-open: so top-left without a test. Both triangles at an edge
+// compute the same numbers: watertight.
 #ifndef RASTERPROOF_LIBRARY_RIVALS_SPANS_H_
 #define RASTERPROOF_LIBRARY_RIVALS_SPANS_H_
 

@@ -191,16 +191,6 @@ struct SpanEdges {
       by_short = Along(d, f, below_short, s);
     }
   }
-
-  /// The same of rows that all meet the short edge `edge`.
-  template <int kEdge>
-  HWY_INLINE void AtEdge(V y, V& by_long, V& by_short) const {
-    const D d;
-    const V below = kAffine ? y : hn::Sub(y, top[0]);
-    const V below_short = kAffine || kEdge == kUpper ? below : hn::Sub(y, top[1]);
-    by_long = Along(d, from[kLong], below, slope[kLong]);
-    by_short = Along(d, from[kEdge], below_short, slope[kEdge]);
-  }
 };
 
 /// The crossings of kLanes rows, or of one row of kLanes triangles. at(h, a, b) finds those of the
@@ -297,26 +287,33 @@ HWY_NOINLINE void DrawSpanRows(const SpanBlock<T>& block, int i, Sink sink) {
 /// Triangles of more rows are drawn in two halves, so that no row chooses its short edge.
 constexpr int kTall = 32;
 
-/// The rows [begin, end), which meet the short edge kEdge.
-template <class T, bool kAffine, bool kInside, int kEdge, class Sink>
-HWY_NOINLINE void DrawTallRows(const SpanBlock<T>& block, int i, int begin, int end, Sink sink) {
+/// The rows [begin, end) of a triangle on the target, which all meet the short edge `edge`.
+template <class T, bool kAffine, class Sink>
+HWY_NOINLINE void DrawTallRows(const SpanBlock<T>& block, int i, int edge, int begin, int end,
+                               Sink sink) {
   const RealTag<T> d;
   using V = RealVec<T>;
-  const SpanEdges<RealTag<T>, kAffine> edges(block, [&](const T* p) { return hn::Set(d, p[i]); });
-  DrawSpanRowsOf<T, kInside>(block.BoxOf(i), begin, end, sink,
-                             [&](V y, V& a, V& b) { edges.template AtEdge<kEdge>(y, a, b); });
+  const V from[2] = {hn::Set(d, block.from[kLong][i]), hn::Set(d, block.from[edge][i])};
+  const V slope[2] = {hn::Set(d, block.slope[kLong][i]), hn::Set(d, block.slope[edge][i])};
+  const V top[2] = {hn::Set(d, block.top[0][i]), hn::Set(d, block.top[edge][i])};
+  DrawSpanRowsOf<T, true>(block.BoxOf(i), begin, end, sink, [&](V y, V& a, V& b) {
+    a = Along(d, from[0], kAffine ? y : hn::Sub(y, top[0]), slope[0]);
+    b = Along(d, from[1], kAffine ? y : hn::Sub(y, top[1]), slope[1]);
+  });
 }
 
-template <class T, bool kAffine, bool kInside, class Sink>
+template <class T, bool kAffine, class Sink>
 HWY_INLINE void DrawLarge(const SpanBlock<T>& block, int i, const Sink& sink) {
   const Box box = block.BoxOf(i);
-  if (box.y1 - box.y0 <= kTall) {
-    DrawSpanRows<T, kAffine, kInside>(block, i, sink);
-    return;
+  if (((block.inside >> i) & 1) == 0) {
+    DrawSpanRows<T, kAffine, false>(block, i, sink);
+  } else if (box.y1 - box.y0 <= kTall) {
+    DrawSpanRows<T, kAffine, true>(block, i, sink);
+  } else {
+    const int middle = Least(Greatest(block.middle_row[i], box.y0), box.y1);
+    DrawTallRows<T, kAffine>(block, i, kUpper, box.y0, middle, sink);
+    DrawTallRows<T, kAffine>(block, i, kLower, middle, box.y1, sink);
   }
-  const int middle = Least(Greatest(block.middle_row[i], box.y0), box.y1);
-  DrawTallRows<T, kAffine, kInside, kUpper>(block, i, box.y0, middle, sink);
-  DrawTallRows<T, kAffine, kInside, kLower>(block, i, middle, box.y1, sink);
 }
 
 template <class T, Form kForm, class Sink>
@@ -334,10 +331,8 @@ void DrawSpans(const KernelView& view) {
         sink.Begin(triangle, block.IsFront(i), block.PlaneOf(i));
         if (block.IsSmall(i)) {
           if (block.masks[i] != 0) sink.Mask8x8(block.x0[i], block.y0[i], block.masks[i]);
-        } else if (((block.inside >> i) & 1) != 0) {
-          DrawLarge<T, kAffine, true>(block, i, sink);
         } else {
-          DrawLarge<T, kAffine, false>(block, i, sink);
+          DrawLarge<T, kAffine>(block, i, sink);
         }
       });
 }

@@ -131,50 +131,61 @@ HWY_NOINLINE void SetUpFixed(const KernelView& view, const std::uint32_t* indice
   if constexpr (kIn32) block.small &= block.narrow;
 }
 
-/// Fills in the masks of the small triangles, as FindSmallMasks of edges.h. Inside is where
-/// no value has its sign bit.
-inline HWY_NOINLINE void FindSmallFixedMasks(FixedBlock& block) {
-  const DI di;
-  const DU du;
-  for (int at = 0; at < kBlock; at += kLanes) {
-    if (((block.small >> at) & ((std::uint64_t{1} << kLanes) - 1)) == 0) continue;
-    VI row[3], a[3], b[3];
+/// E and its steps by pixel of triangles `at` on, in 32 or 64 bits.
+template <bool kIn32>
+struct FixedLanes {
+  using D = DI;
+  VI e[3], a[3], b[3];
+
+  HWY_INLINE FixedLanes(const FixedBlock& block, int at) {
     for (int k = 0; k < 3; ++k) {
-      alignas(64) std::int32_t e[kLanes];
+      alignas(64) std::int32_t values[kLanes];
       for (int i = 0; i < kLanes; i += kDoubles) {
-        hn::Store(hn::DemoteTo(DDI(), hn::Load(DD(), block.e[k] + at + i)), DDI(), e + i);
+        const VD v = hn::Load(DD(), block.e[k] + at + i);
+        hn::Store(hn::DemoteTo(DDI(), v), DDI(), values + i);
       }
-      row[k] = hn::Load(di, e);
-      a[k] = hn::Load(di, block.a[k] + at);
-      b[k] = hn::Load(di, block.b[k] + at);
+      e[k] = hn::Load(D(), values);
+      a[k] = hn::Load(D(), block.a[k] + at);
+      b[k] = hn::Load(D(), block.b[k] + at);
     }
-    VU halves[2] = {hn::Zero(du), hn::Zero(du)};
+  }
+};
+template <>
+struct FixedLanes<false> {
+  using D = DI64;
+  VI64 e[3], a[3], b[3];
+
+  HWY_INLINE FixedLanes(const FixedBlock& block, int at) {
+    for (int k = 0; k < 3; ++k) {
+      e[k] = ToInt64(hn::Load(DD(), block.e[k] + at));
+      a[k] = hn::ShiftLeft<8>(hn::PromoteTo(D(), hn::Load(DDI(), block.a[k] + at)));
+      b[k] = hn::ShiftLeft<8>(hn::PromoteTo(D(), hn::Load(DDI(), block.b[k] + at)));
+    }
+  }
+};
+
+/// Fills in the masks of the small triangles, as FindSmallMasks of edges.h. Inside is where no
+/// value has its sign bit.
+template <bool kIn32>
+HWY_NOINLINE void FindSmallFixedMasks(FixedBlock& block) {
+  using D = typename FixedLanes<kIn32>::D;
+  constexpr int kN = kLanesOf<D>;
+  for (int at = 0; at < kBlock; at += kN) {
+    if (((block.small >> at) & ((std::uint64_t{1} << kN) - 1)) == 0) continue;
+    FixedLanes<kIn32> lanes(block, at);
+    LaneMasks<D> masks;
     for (int r = 0; r < block.height; ++r) {
-      VI e[3];
+      hn::Vec<D> e[3];
       for (int k = 0; k < 3; ++k) {
-        e[k] = row[k];
-        row[k] = hn::Add(row[k], b[k]);
+        e[k] = lanes.e[k];
+        lanes.e[k] = hn::Add(lanes.e[k], lanes.b[k]);
       }
-      VU bits = hn::Zero(du);
       for (int c = 0; c < block.width; ++c) {
-        // The sign bit of the three together, smeared over the lane.
-        const VI outside = hn::ShiftRight<31>(hn::Or(hn::Or(e[0], e[1]), e[2]));
-        bits = hn::Or(bits, hn::AndNot(hn::BitCast(du, outside),
-                                       hn::Set(du, std::uint32_t{1} << (8 * (r & 3) + c))));
-        for (int k = 0; k < 3; ++k) e[k] = hn::Add(e[k], a[k]);
-      }
-      if (r < 4) {
-        halves[0] = hn::Or(halves[0], bits);
-      } else {
-        halves[1] = hn::Or(halves[1], bits);
+        masks.AddUnless(r, c, hn::Or(hn::Or(e[0], e[1]), e[2]));
+        for (int k = 0; k < 3; ++k) e[k] = hn::Add(e[k], lanes.a[k]);
       }
     }
-    alignas(64) std::uint32_t low[kLanes], high[kLanes];
-    hn::Store(halves[0], du, low);
-    hn::Store(halves[1], du, high);
-    for (int i = 0; i < kLanes; ++i) {
-      block.masks[at + i] = std::uint64_t{low[i]} | (std::uint64_t{high[i]} << 32);
-    }
+    masks.Store(block.masks + at);
   }
 }
 
@@ -339,33 +350,6 @@ class WideTileEdges {
   std::int64_t e_[3], a_[3], b_[3], reject_[3], accept_[3], row_[3];
 };
 
-/// Fills in the masks of the small triangles in 64 bits.
-inline HWY_NOINLINE void FindSmallWideMasks(FixedBlock& block) {
-  const DI64 d;
-  for (int at = 0; at < kBlock; at += kDoubles) {
-    if (((block.small >> at) & ((std::uint64_t{1} << kDoubles) - 1)) == 0) continue;
-    VI64 row[3], a[3], b[3];
-    for (int k = 0; k < 3; ++k) {
-      row[k] = ToInt64(hn::Load(DD(), block.e[k] + at));
-      a[k] = hn::ShiftLeft<8>(hn::PromoteTo(d, hn::Load(DDI(), block.a[k] + at)));
-      b[k] = hn::ShiftLeft<8>(hn::PromoteTo(d, hn::Load(DDI(), block.b[k] + at)));
-    }
-    LaneMasks<DI64> masks;
-    for (int r = 0; r < block.height; ++r) {
-      VI64 e[3];
-      for (int k = 0; k < 3; ++k) {
-        e[k] = row[k];
-        row[k] = hn::Add(row[k], b[k]);
-      }
-      for (int c = 0; c < block.width; ++c) {
-        masks.AddUnless(r, c, hn::Or(hn::Or(e[0], e[1]), e[2]));
-        for (int k = 0; k < 3; ++k) e[k] = hn::Add(e[k], a[k]);
-      }
-    }
-    masks.Store(block.masks + at);
-  }
-}
-
 template <class Edges, class Sink>
 HWY_NOINLINE void DrawFixedTilesOf(const FixedBlock& block, int i, Sink sink) {
   Edges edges(block, i);
@@ -381,12 +365,7 @@ void DrawFixedTiles(const KernelView& view) {
       view, block,
       [&](const std::uint32_t* indices) {
         SetUpFixed<kIn32, Sink::kNeedsPlane>(view, indices, block);
-        if (block.small == 0) return;
-        if constexpr (kIn32) {
-          FindSmallFixedMasks(block);
-        } else {
-          FindSmallWideMasks(block);
-        }
+        if (block.small != 0) FindSmallFixedMasks<kIn32>(block);
       },
       [&](int i, std::uint32_t triangle) {
         sink.Begin(triangle, block.IsFront(i), block.PlaneOf(i));

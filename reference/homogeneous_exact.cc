@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
+#include "library/triple_sum.h"
 #include "reference/homogeneous.h"
 #include "reference/homogeneous_edges.h"
-#include "reference/triple_sum.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -14,14 +14,14 @@ namespace {
 constexpr double kSampleUnderflowError = 0x1p-1040;
 
 /// Adds a (b c - d e) to the sum.
-void AddMinor(TripleSum& sum, double a, double b, double c, double d, double e) {
+void AddMinor(library::TripleSum& sum, double a, double b, double c, double d, double e) {
   sum.Add(a, b, c);
   sum.Subtract(a, d, e);
 }
 
 /// N_ij . (x, y, w), N_ij = V_j x V_i.
-TripleSum ExactDot(const Vertex& vi, const Vertex& vj, double x, double y, double w) {
-  TripleSum sum;
+library::TripleSum ExactDot(const Vertex& vi, const Vertex& vj, double x, double y, double w) {
+  library::TripleSum sum;
   AddMinor(sum, x, vj.y, vi.w, vj.w, vi.y);
   AddMinor(sum, y, vj.w, vi.x, vj.x, vi.w);
   AddMinor(sum, w, vj.x, vi.y, vj.y, vi.x);

@@ -10,10 +10,10 @@
 #include <string>
 
 #include "core/error.h"
+#include "library/triple_sum.h"
 #include "model/snap.h"
 #include "reference/bounds.h"
 #include "reference/box.h"
-#include "reference/triple_sum.h"
 
 namespace rasterproof::reference {
 namespace {
@@ -51,7 +51,7 @@ double ProductUp(double x, double y) {
 
 /// The sign of x 2^bits - w steps.
 int CompareQuotient(double x, double w, int bits, double steps) {
-  TripleSum sum;
+  library::TripleSum sum;
   sum.Add(x, std::ldexp(1.0, bits), 1);
   sum.Subtract(w, steps, 1);
   return sum.Sign();

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "core/ulp.h"
-#include "reference/triple_sum.h"
+#include "library/triple_sum.h"
 #include "reference/value_methods.h"
 
 namespace rasterproof::reference {
@@ -44,7 +44,7 @@ std::array<BetaTerm, 18> BetaTerms(const ValueTask<T>& task) {
   return terms;
 }
 
-void AddTerm(TripleSum& sum, const BetaTerm& term, double factor) {
+void AddTerm(library::TripleSum& sum, const BetaTerm& term, double factor) {
   sum.Add(term.high, term.at, factor);
   if (term.low != 0) sum.Add(term.low, term.at, factor);
 }
@@ -80,7 +80,7 @@ T FilteredValue(const std::array<BetaTerm, 18>& terms, const std::array<T, 3>& a
 }
 
 int SignOfDenominator(const std::array<BetaTerm, 18>& terms) {
-  TripleSum d;
+  library::TripleSum d;
   for (const BetaTerm& term : terms) AddTerm(d, term, 1);
   return d.Sign();
 }
@@ -89,7 +89,7 @@ int SignOfDenominator(const std::array<BetaTerm, 18>& terms) {
 template <class T>
 int SignAtMiddle(const std::array<BetaTerm, 18>& terms, const std::array<T, 3>& a, double c,
                  double next) {
-  TripleSum sum;
+  library::TripleSum sum;
   for (const BetaTerm& term : terms) {
     for (const double factor : {double{a[term.corner]}, double{a[term.corner]}, -c, -next}) {
       AddTerm(sum, term, factor);

@@ -15,9 +15,9 @@
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
+#include "library/triple_sum.h"
 #include "reference/homogeneous_edges.h"
 #include "reference/rasterize.h"
-#include "reference/triple_sum.h"
 #include "tests/reference/random_values.h"
 #include "tests/share.h"
 
@@ -72,7 +72,7 @@ Vertex HardVertex(RandomValues& random, int kind) {
 TEST(TripleSumTest, SignIsRightAcrossTheWholeRangeOfDouble) {
   const double huge = std::numeric_limits<double>::max();
   const double tiny = std::numeric_limits<double>::denorm_min();
-  TripleSum sum;
+  library::TripleSum sum;
   EXPECT_EQ(sum.Sign(), 0);
   sum.Add(huge, huge, huge);
   sum.Add(tiny, tiny, -tiny);
@@ -88,7 +88,7 @@ TEST(TripleSumTest, SignIsRightAcrossTheWholeRangeOfDouble) {
 TEST(TripleSumTest, SignAgreesWithRationalsOnRandomTriples) {
   RandomValues random(1);
   for (int n = 0; n < Cases(2000); ++n) {
-    TripleSum sum;
+    library::TripleSum sum;
     exact::Rational expected;
     for (int k = 0; k < 6; ++k) {
       const auto x = random.AnyFinite<double>();

@@ -1,12 +1,12 @@
 // Exact sums of products of three doubles, in integers: the last tier of homogeneous edges.
-#ifndef RASTERPROOF_REFERENCE_TRIPLE_SUM_H_
-#define RASTERPROOF_REFERENCE_TRIPLE_SUM_H_
+#ifndef RASTERPROOF_LIBRARY_TRIPLE_SUM_H_
+#define RASTERPROOF_LIBRARY_TRIPLE_SUM_H_
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-namespace rasterproof::reference {
+namespace rasterproof::library {
 
 /// An accumulator of products of three doubles that loses nothing, in units of 2^-3222.
 ///
@@ -31,6 +31,6 @@ class TripleSum {
   std::array<std::int64_t, kLimbs> limbs_{};
 };
 
-}  // namespace rasterproof::reference
+}  // namespace rasterproof::library
 
-#endif  // RASTERPROOF_REFERENCE_TRIPLE_SUM_H_
+#endif  // RASTERPROOF_LIBRARY_TRIPLE_SUM_H_

@@ -1,4 +1,4 @@
-#include "reference/triple_sum.h"
+#include "library/triple_sum.h"
 
 #include <array>
 #include <cmath>
@@ -7,7 +7,7 @@
 
 #include "library/decode.h"
 
-namespace rasterproof::reference {
+namespace rasterproof::library {
 namespace {
 
 __extension__ using Uint128 = unsigned __int128;
@@ -29,9 +29,9 @@ std::array<std::uint64_t, 5> LimbsOfProduct(std::uint64_t a, std::uint64_t b, st
 }  // namespace
 
 void TripleSum::Add(double x, double y, double z) {
-  const library::Decoded a = library::Decode(x);
-  const library::Decoded b = library::Decode(y);
-  const library::Decoded c = library::Decode(z);
+  const Decoded a = Decode(x);
+  const Decoded b = Decode(y);
+  const Decoded c = Decode(z);
   const bool negative = std::signbit(x) != (std::signbit(y) != std::signbit(z));
   const int shift = a.exponent + b.exponent + c.exponent - kUnitExponent;
   std::size_t limb = static_cast<std::size_t>(shift) / 32;
@@ -59,4 +59,4 @@ int TripleSum::Sign() const {
   return any || carry > 0 ? 1 : 0;
 }
 
-}  // namespace rasterproof::reference
+}  // namespace rasterproof::library

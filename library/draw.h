@@ -3,6 +3,7 @@
 #define RASTERPROOF_LIBRARY_DRAW_H_
 
 #include "library/kernels/kernel.h"
+#include "library/kernels/kernel_table.h"
 #include "library/rasterize.h"
 
 namespace rasterproof::library {
@@ -14,6 +15,13 @@ bool HasRoom(const RasterTarget& target);
 ///
 /// Domain:     what RequireAllButIndices and RequireIndices take, and no output of squares.
 void Draw(const RasterMesh& mesh, const RasterTarget& target, library::kernels::Target simd);
+
+/// Calls on_span(state, span) with what the mesh covers, as Rasterize does its function.
+///
+/// Domain:     a sane floating-point environment.
+void DrawSpans(const RasterMesh& mesh, int width, int height, library::kernels::Target simd,
+               void (*on_span)(const void* state, const library::kernels::KernelSpan& span),
+               const void* state);
 
 }  // namespace rasterproof::library
 

@@ -71,14 +71,6 @@ void DrawView(const RasterMesh& mesh, kernels::Target simd, kernels::Sink sink,
   }
 }
 
-void DrawSpans(const RasterMesh& mesh, kernels::Target simd, const kernels::KernelView& view) {
-  if (mesh.space == RasterSpace::kWindow) {
-    kernels::DrawExactSpans(simd, view);
-  } else {
-    kernels::DrawClipSpans(simd, view);
-  }
-}
-
 // How many rows have room below them and after them.
 int RowsWithRoom(const RasterTarget& target) {
   std::array<Plane, 2> both;
@@ -141,6 +133,19 @@ std::size_t RoomFor(const RasterTarget& target) {
          kRoomPixels * UnitOf(target.output);
 }
 
+void library::DrawSpans(const RasterMesh& mesh, int width, int height, kernels::Target simd,
+                        void (*on_span)(const void* state, const kernels::KernelSpan& span),
+                        const void* state) {
+  kernels::KernelView view = ViewOf(mesh, width, height);
+  view.on_span = on_span;
+  view.state = state;
+  if (mesh.space == RasterSpace::kWindow) {
+    kernels::DrawExactSpans(simd, view);
+  } else {
+    kernels::DrawClipSpans(simd, view);
+  }
+}
+
 bool library::HasRoom(const RasterTarget& target) { return RowsWithRoom(target) == target.height; }
 
 void library::Draw(const RasterMesh& mesh, const RasterTarget& target, kernels::Target simd) {
@@ -187,14 +192,14 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
   RequireMesh(mesh);
   if (!on_span) throw InputError("on_span", "empty", "give a function to call");
   const kernels::Target simd = RequireSet(set);
-  kernels::KernelView view = ViewOf(mesh, width, height);
-  view.on_span = [](const void* state, const kernels::KernelSpan& span) {
-    (*static_cast<const std::function<void(const RasterSpan&)>*>(state))(
-        {span.triangle, span.is_front, span.row, span.x0, span.x1});
-  };
-  view.state = &on_span;
   const FloatEnvironment sane;
-  DrawSpans(mesh, simd, view);
+  library::DrawSpans(
+      mesh, width, height, simd,
+      [](const void* state, const kernels::KernelSpan& span) {
+        (*static_cast<const std::function<void(const RasterSpan&)>*>(state))(
+            {span.triangle, span.is_front, span.row, span.x0, span.x1});
+      },
+      &on_span);
 }
 
 void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
@@ -211,13 +216,13 @@ void MarkEmptyTriangles(const RasterMesh& mesh, int width, int height,
   library::RequireApart(mesh, "is_empty", std::as_bytes(is_empty));
   const kernels::Target simd = RequireSet(set);
   std::ranges::fill(is_empty, std::uint8_t{1});
-  kernels::KernelView view = ViewOf(mesh, width, height);
-  view.on_span = [](const void* state, const kernels::KernelSpan& span) {
-    (*static_cast<const std::span<std::uint8_t>*>(state))[span.triangle] = 0;
-  };
-  view.state = &is_empty;
   const FloatEnvironment sane;
-  DrawSpans(mesh, simd, view);
+  library::DrawSpans(
+      mesh, width, height, simd,
+      [](const void* state, const kernels::KernelSpan& span) {
+        (*static_cast<const std::span<std::uint8_t>*>(state))[span.triangle] = 0;
+      },
+      &is_empty);
 }
 
 void Clear(const RasterTarget& target) {

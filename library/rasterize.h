@@ -137,6 +137,62 @@ void Rasterize(const RasterMesh& mesh, int width, int height,
                const std::function<void(const RasterSpan&)>& on_span,
                InstructionSet set = InstructionSet::kBest);
 
+/// How numbers at the vertices become those of pixels. In window space both are the same.
+enum class RasterInterpolation : std::uint8_t {
+  kPerspective,  ///< of the triangle before the division by w
+  kLinear        ///< of its picture on the screen: noperspective
+};
+
+enum class RasterRounding : std::uint8_t {
+  kFast,    ///< in float32, within kValueConditions; the same bits by every instruction set
+  kNearest  ///< the nearest float32, ties to even, always; within 1/2 ulp
+};
+
+inline constexpr int kMostRasterChannels = 64;
+
+/// Numbers of the vertices, and memory for those of the pixels: a plane of rows for each channel,
+/// one after the other, row y of channel c at (c height + y) pitch.
+///
+/// Domain:     1 <= channels <= kMostRasterChannels; pitch >= width; memory apart from the mesh's.
+///             kFast: numbers of at most 2^100, and at least 2^-100 or 0. kNearest: any finite
+///             numbers, and no derivatives. A channel with a NaN or an infinity at a triangle's
+///             vertex is a NaN all over the triangle.
+struct RasterValues {
+  std::span<const float> numbers = {};  ///< `channels` of each vertex
+  int channels = 1;
+  RasterInterpolation interpolation = RasterInterpolation::kPerspective;
+  RasterRounding rounding = RasterRounding::kFast;
+  int width = 0;
+  int height = 0;
+  std::size_t pitch = 0;  ///< numbers from one row to the next
+  std::span<float> values = {};
+  std::span<float> dx = {};  ///< d/dx and d/dy, a pixel; both or neither
+  std::span<float> dy = {};
+};
+
+/// The largest error of a value by kFast, in units of 2^-24 of the condition C of exact/values.h:
+/// of k conditions k / (1 - e), where the denominator may be off by a share e = k 2^-24 sum M_i /
+/// |d| below 1/2; beyond that nothing is stated.
+///
+/// Planes are found in double, off by 2^-50 of their terms, and rounded to float32: 1. The product
+/// with the coordinate and two sums: 4 in n and in d. The quotient: 5. Where nothing divides: 4,
+/// and d's 2^-50.
+/// Proof:      reference/proofs/library_values.g.
+inline constexpr double kValueConditions = 5 + 0x1p-16;
+
+/// The same of derivatives, in units of their conditions C_x and C_y: over (1 - e)^2.
+///
+/// (n.a - value d.a) / d: n.a has 1 rounding, the difference 1, the quotient 1, value d.a two more
+/// and the value's own error, kValueConditions of C |d.a|; d has 4: no part has more than 5.
+inline constexpr double kDerivativeConditions = 5 + 0x1p-10;
+
+/// Writes the numbers of each covered pixel, of the last triangle that covers it; others stay as
+/// they are. Coverage as Rasterize has it.
+///
+/// Error:      as Rasterize, and for numbers and memory that are not what RasterValues says.
+void RasterizeValues(const RasterMesh& mesh, const RasterValues& values,
+                     InstructionSet set = InstructionSet::kBest);
+
 /// Threads that draw a mesh together: each a part of its triangles, into memory of its own that is
 /// merged in the end. Bit for bit what Rasterize() draws, for every number of them.
 ///

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/scene.h"
+#include "core/value_result.h"
 #include "core/vertex.h"
 
 namespace rasterproof {
@@ -261,6 +262,8 @@ struct BenchResult {
   std::vector<BenchCliff> cliffs;
   std::vector<BenchStage> stages;
   std::vector<BenchFingerprint> fingerprints;
+  std::vector<ValueBenchFamily> value_families;
+  std::vector<ValueBenchRow> value_rows;
 };
 
 }  // namespace rasterproof

@@ -42,7 +42,7 @@ concept HasItems = requires(T& value) { ItemsOf(value); };
 template <class T>
 constexpr bool kIsOnOneLine =
     std::same_as<T, BenchRow> || std::same_as<T, BenchErrors> || std::same_as<T, BenchLeftOut> ||
-    std::same_as<T, BenchCurve> || std::same_as<T, BenchCliff>;
+    std::same_as<T, BenchCurve> || std::same_as<T, BenchCliff> || std::same_as<T, ValueBenchRow>;
 
 // Visits the members of an object and writes them.
 class BenchWriter {
@@ -191,6 +191,7 @@ class BenchReader {
     BenchResult one_of_each;
     one_of_each.methods.resize(1);
     one_of_each.parameters.resize(1);
+    one_of_each.value_families.resize(1);
     BenchReader visit(std::nullopt, one_of_each);
     T object;
     Members(visit, object);

@@ -192,6 +192,42 @@ void Members(auto& visit, BenchFingerprint& print) {
   visit("places", print.places);
 }
 
+void Members(auto& visit, ValueBenchFamily& family) {
+  visit("name", family.name);
+  visit("summary", family.summary);
+  visit("clip_space", family.is_clip_space);
+  visit("triangles", family.triangles);
+  visit("covered", family.covered);
+  visit("judged", family.judged);
+  visit("floor_ns", Rounded{family.floor_ns});
+}
+
+void Members(auto& visit, ValueBenchCase& worst) {
+  visit("corners", worst.corners);
+  visit("x", worst.x);
+  visit("y", worst.y);
+  visit("shown", worst.shown);
+  visit("exact", worst.exact);
+}
+
+void Members(auto& visit, ValueBenchRow& row) {
+  visit.Index("family", row.family, &BenchResult::value_families, "family of values");
+  visit("method", row.method);
+  visit("target", row.target);
+  visit("shows", row.shows);
+  visit("ns_low", Rounded{row.ns_low});
+  visit("ns", Rounded{row.ns});
+  visit("ns_high", Rounded{row.ns_high});
+  visit("ulps", Rounded{row.ulps});
+  visit("ulps_999", Rounded{row.ulps_999});
+  visit("texels", Rounded{row.texels});
+  visit("texels_999", Rounded{row.texels_999});
+  visit("share_of_bound", Rounded{row.share_of_bound});
+  visit("unbounded", row.unbounded);
+  visit("not_finite", row.not_finite);
+  visit("worst", row.worst);
+}
+
 /// Besides its members, the file begins with its version and has the decisions after `left_out`.
 void Members(auto& visit, BenchResult& result) {
   visit.Version("rasterproof_bench");
@@ -215,6 +251,10 @@ void Members(auto& visit, BenchResult& result) {
   visit("cliffs", result.cliffs);
   visit("stages", result.stages);
   visit("fingerprints", result.fingerprints);
+  bool has_values = !result.value_families.empty();
+  if (!visit.Has("value_families", has_values)) return;
+  visit("value_families", result.value_families);
+  visit("value_rows", result.value_rows);
 }
 
 }  // namespace rasterproof::report

@@ -60,6 +60,8 @@ constexpr std::array kQuestions{
     Question{"What does mine cost beside them?", "yours", "yours on the same inputs"},
     Question{"What else is there, and how wrong is it?", "pareto",
              "every method: choose family and error"},
+    Question{"Which interpolation may I trust? Is my du/dx right? Does my texture swim?",
+             "interpolation", "errors of values and derivatives, and the advice that they test"},
     Question{"Where does a method end: large triangles, long walks, far from the origin?", "limits",
              "a matrix of methods and parameters, then curves"},
     Question{"What happens at w → 0?", "curve-w",
@@ -203,6 +205,10 @@ std::string BenchSections(const BenchResult& bench, std::string_view folder) {
                   WorstCases(bench, folder));
   html += section("stages", "Error budget of a frame",
                   "Distance to the exact pipeline with one stage alone inexact.", StageBars(bench));
+  html += section("interpolation", "Which interpolation may I trust, at what cost?",
+                  "Values and derivatives by every method on the same spans, held to exact "
+                  "rationals.",
+                  ValueParts(bench));
   return Questions(html) + html;
 }
 

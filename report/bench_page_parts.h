@@ -48,6 +48,8 @@ std::string FingerprintPictures(const BenchResult& bench);
 /// Pictures and commands, folded by family.
 std::string WorstCases(const BenchResult& bench, std::string_view folder);
 std::string StageBars(const BenchResult& bench);
+/// Errors and times of interpolated values, folded by family, and the advice that they measure.
+std::string ValueParts(const BenchResult& bench);
 
 /// "bench/fan-f32-affine.json"
 std::string FileOf(std::string_view prefix, const BenchMethod& method);

@@ -204,6 +204,9 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
                                        "Find how far each method is right; measure no times");
   verb->add_option("--save", options.save, "Folder for the failing case of each limit")
       ->needs(limits);
+  verb->add_flag("--values", options.values,
+                 "Only measure how interpolated values err, and what they cost")
+      ->excludes(limits);
   verb->add_option_function<std::string>(
           "--budget",
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },

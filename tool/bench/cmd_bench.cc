@@ -41,6 +41,7 @@
 #include "subjects/plugin/plugin.h"
 #include "tool/bench/fingerprints.h"
 #include "tool/bench/limits.h"
+#include "tool/bench/values.h"
 #include "tool/commit.h"
 #include "tool/environment.h"
 #include "tool/exit_status.h"
@@ -372,6 +373,12 @@ int RunBench(const BenchOptions& options) {
   for (const std::string& file : {options.json, options.svg}) {
     const std::filesystem::path folder = std::filesystem::path(file).parent_path();
     if (!folder.empty()) io::RequireFolderCanBe(folder.string());
+  }
+  if (options.values) {
+    BenchResult found;
+    found.setting = SettingOf(options);
+    PrintValues(options, found);
+    return kExitHolds;
   }
   if (options.limits) {
     const auto contenders = ContendersOf(options);

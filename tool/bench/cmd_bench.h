@@ -14,6 +14,7 @@ struct BenchOptions {
   std::vector<std::string> subjects;  ///< built-in methods and kernels by name; empty: all
   std::vector<std::string> plugins;   ///< libraries to time too, in this process
   std::vector<std::string> programs;  ///< commands to time too, on a pipe
+  bool values = false;                ///< only measure interpolated values
   bool limits = false;                ///< only find cliffs, each plugin in its own process
   std::string save;                   ///< folder for the case of each cliff; empty: none
   double budget = 60;                 ///< seconds for everything

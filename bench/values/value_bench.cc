@@ -1,0 +1,349 @@
+#include "bench/values/value_bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/paired.h"
+#include "bench/values/value_errors.h"
+#include "bench/values/value_families.h"
+#include "bench/values/value_kernels.h"
+#include "core/clock.h"
+#include "core/error.h"
+#include "core/ulp.h"
+#include "library/draw.h"
+#include "library/kernels/kernel.h"
+#include "library/kernels/kernel_table.h"
+#include "library/rasterize.h"
+#include "reference/value_methods.h"
+
+namespace rasterproof::bench {
+
+std::vector<const ValueKernels*> SupportedValueKernels() {
+  std::vector<const ValueKernels*> supported;
+#if defined(__x86_64__)
+  if (IsSupported(InstructionSet::kAvx512)) supported.push_back(&kAvx512ValueKernels);
+  if (IsSupported(InstructionSet::kAvx2)) supported.push_back(&kAvx2ValueKernels);
+#endif
+  return supported;
+}
+
+namespace {
+
+using reference::ValueMethod;
+
+// A method as it is drawn and shown.
+struct ValueContender {
+  std::string name;
+  std::string target;
+  bool is_derivative = false;
+  bool is_of_window = false;
+  ValueBound bound;
+  std::string floor;  ///< whose time is taken off
+  std::function<void()> draw;
+  std::function<float(const ExactValue&)> show;
+};
+
+const ValueMethod* MethodNamed(std::string_view name) {
+  const auto methods = reference::ValueMethods();
+  const auto found = std::ranges::find(methods, name, &ValueMethod::name);
+  return found == methods.end() ? nullptr : &*found;
+}
+
+// The processor's estimate of 12 bits is off by up to 1.5 2^-12.
+double ConditionsOfEstimate(int bits, int steps) {
+  constexpr double kUnit = 0x1p-24;
+  double e = bits == 12 ? 1.5 * 0x1p-12 : 0x1p-14;
+  for (int k = 0; k < steps; ++k) e = e * e + 3 * (1 + 0x1p-10) * kUnit;
+  return 8 + 0x1p-8 + (1 + e / kUnit) / 2;
+}
+
+// Of the methods that the reference states, by name; "-f64": its double's and a rounding.
+void SetBound(const std::string& name, int estimate_bits, ValueContender& contender) {
+  const bool is_double = name.ends_with("-f64");
+  const ValueMethod* method =
+      MethodNamed(is_double ? std::string_view(name).substr(0, name.size() - 4) : name);
+  // A difference is of both pixels' conditions, a stepped value of the span's both ends.
+  contender.bound.is_stated = method != nullptr && method->target == reference::ValueTarget::kValue;
+  contender.is_derivative = name.ends_with("-difference");
+  if (method == nullptr) return;
+  contender.is_of_window = method->space == reference::ValueSpace::kWindow;
+  contender.bound.about = static_cast<std::size_t>(method->about);
+  contender.bound.conditions = method->conditions[is_double ? 1 : 0];
+  if (is_double) {
+    contender.bound.unit = 0x1p-53;
+    contender.bound.ulps = 0.5;
+  }
+  if (name.starts_with("reciprocal")) {
+    const int steps = name.ends_with("-newton-2") ? 2 : name.ends_with("-newton") ? 1 : 0;
+    contender.bound.conditions = ConditionsOfEstimate(estimate_bits, steps);
+  }
+}
+
+class KernelDrawer {
+ public:
+  KernelDrawer(const ValueScene& scene, int width)
+      : scene_(scene), row_(static_cast<std::size_t>(width) + 64) {}
+  void Draw(const ValueKernel& kernel) {
+    kernel.fill({scene_.triangles.data(), scene_.runs.data(), scene_.runs.size(), row_.data()});
+  }
+  float Show(const ValueKernel& kernel, const ExactValue& at) {
+    const ValueRun run{0, at.y, at.first_x, at.x + 1};
+    kernel.fill({&at.triangle, &run, 1, row_.data()});
+    return row_[static_cast<std::size_t>(at.x)];
+  }
+
+ private:
+  const ValueScene& scene_;
+  std::vector<float> row_;
+};
+
+void AddKernels(const ValueKernels& kernels, std::string_view prefix, KernelDrawer& drawer,
+                std::vector<ValueContender>& list) {
+  for (std::size_t k = 0; k < kernels.count; ++k) {
+    const ValueKernel& kernel = kernels.kernels[k];
+    const std::string name = kernel.name;
+    if (!name.starts_with(prefix)) continue;
+    ValueContender contender;
+    contender.name = name;
+    contender.target = kernels.target;
+    contender.floor = kValueFloor;
+    SetBound(name, kernels.estimate_bits, contender);
+    contender.draw = [&drawer, &kernel] { drawer.Draw(kernel); };
+    contender.show = [&drawer, &kernel](const ExactValue& at) { return drawer.Show(kernel, at); };
+    list.push_back(std::move(contender));
+  }
+}
+
+// The library draws coverage too: its floor is coverage with a constant stored.
+class LibraryDrawer {
+ public:
+  LibraryDrawer(const ValueScene& scene, const ValueFamilyKind& kind)
+      : scene_(scene),
+        kind_(kind),
+        values_(static_cast<std::size_t>(kind.width) * static_cast<std::size_t>(kind.height)),
+        dx_(values_.size()),
+        dy_(values_.size()) {}
+
+  void Floor() {
+    struct Plane {
+      float* first;
+      std::size_t pitch;
+    };
+    const Plane plane{values_.data(), static_cast<std::size_t>(kind_.width)};
+    library::DrawSpans(
+        scene_.Mesh(), kind_.width, kind_.height, library::kernels::SupportedTargets().back(),
+        [](const void* state, const library::kernels::KernelSpan& span) {
+          const Plane& to = *static_cast<const Plane*>(state);
+          std::fill_n(to.first + static_cast<std::size_t>(span.row) * to.pitch + span.x0,
+                      span.x1 - span.x0, 1.0F);
+        },
+        &plane);
+  }
+  void Draw(RasterRounding rounding, bool with_derivatives) {
+    RasterizeValues(scene_.Mesh(), In(scene_.numbers, rounding, with_derivatives));
+  }
+  float Show(const ExactValue& at, RasterRounding rounding, bool derivative) {
+    const ValueTriangle& t = at.triangle;
+    std::vector<float> positions;
+    const std::array<std::uint32_t, 3> indices{0, 1, 2};
+    for (std::size_t k = 0; k < 3; ++k) {
+      positions.insert(positions.end(), {t.x[k], t.y[k], 0});
+      if (scene_.space != RasterSpace::kWindow) positions.push_back(t.w[k]);
+    }
+    RasterizeValues({positions, indices, scene_.space}, In(t.a, rounding, derivative));
+    const std::size_t pixel =
+        static_cast<std::size_t>(at.y) * static_cast<std::size_t>(kind_.width) +
+        static_cast<std::size_t>(at.x);
+    return derivative ? dx_[pixel] : values_[pixel];
+  }
+
+ private:
+  RasterValues In(std::span<const float> numbers, RasterRounding rounding, bool derivatives) {
+    return {.numbers = numbers,
+            .channels = 1,
+            .interpolation = RasterInterpolation::kPerspective,
+            .rounding = rounding,
+            .width = kind_.width,
+            .height = kind_.height,
+            .pitch = static_cast<std::size_t>(kind_.width),
+            .values = values_,
+            .dx = derivatives ? std::span(dx_) : std::span<float>(),
+            .dy = derivatives ? std::span(dy_) : std::span<float>()};
+  }
+
+  const ValueScene& scene_;
+  const ValueFamilyKind& kind_;
+  std::vector<float> values_, dx_, dy_;
+};
+
+constexpr const char* kLibraryFloor = "coverage";
+
+void AddLibrary(LibraryDrawer& drawer, const std::string& target,
+                std::vector<ValueContender>& list) {
+  const auto add = [&](const char* name, RasterRounding rounding, bool derivative,
+                       const ValueBound& bound) {
+    ValueContender contender;
+    contender.name = name;
+    contender.target = target;
+    contender.is_derivative = derivative;
+    contender.bound = bound;
+    contender.floor = kLibraryFloor;
+    contender.draw = [&drawer, rounding, derivative] { drawer.Draw(rounding, derivative); };
+    contender.show = [&drawer, rounding, derivative](const ExactValue& at) {
+      return drawer.Show(at, rounding, derivative);
+    };
+    list.push_back(std::move(contender));
+  };
+  ValueContender floor;
+  floor.name = kLibraryFloor;
+  floor.draw = [&drawer] { drawer.Floor(); };
+  list.push_back(std::move(floor));
+  ValueBound value;
+  value.conditions = kValueConditions;
+  ValueBound derivative;
+  derivative.conditions = kDerivativeConditions;
+  derivative.is_of_derivative = true;
+  ValueBound nearest;
+  nearest.ulps = reference::kCorrectlyRoundedUlps;
+  add("library", RasterRounding::kFast, false, value);
+  add("library-derivatives", RasterRounding::kFast, true, derivative);
+  add("library-nearest", RasterRounding::kNearest, false, nearest);
+}
+
+// Seconds of each contender, round by round: as many draws as take a millisecond.
+std::vector<std::vector<double>> Times(const std::vector<ValueContender>& list, int rounds) {
+  std::vector<std::vector<double>> seconds(list.size());
+  std::vector<int> repeats(list.size(), 1);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    list[k].draw();
+    const double start = ThreadSeconds();
+    list[k].draw();
+    repeats[k] = 1 + static_cast<int>(1e-3 / std::max(1e-6, ThreadSeconds() - start));
+  }
+  for (int round = 0; round < rounds; ++round) {
+    for (const std::size_t k : RoundOrder(list.size(), static_cast<std::size_t>(round))) {
+      const double start = ThreadSeconds();
+      for (int n = 0; n < repeats[k]; ++n) list[k].draw();
+      seconds[k].push_back((ThreadSeconds() - start) / repeats[k]);
+    }
+  }
+  return seconds;
+}
+
+// Pixels spread over the covered ones, and what is true of them.
+std::vector<ExactValue> Judged(const ValueScene& scene, std::size_t count) {
+  std::vector<ExactValue> judged;
+  const std::uint64_t step = std::max<std::uint64_t>(1, scene.covered / count);
+  std::uint64_t next = step / 2;
+  std::uint64_t before = 0;
+  for (const ValueRun& run : scene.runs) {
+    const auto width = static_cast<std::uint64_t>(run.x1 - run.x0);
+    for (; next < before + width; next += step) {
+      const int x = run.x0 + static_cast<int>(next - before);
+      if (auto exact = ExactValueAt(scene.triangles[run.triangle], x, run.row)) {
+        exact->first_x = run.x0;
+        judged.push_back(std::move(*exact));
+      }
+    }
+    before += width;
+  }
+  return judged;
+}
+
+void SetTimes(const std::vector<double>& seconds, const std::vector<double>& floor,
+              std::uint64_t pixels, ValueBenchRow& row) {
+  std::vector<double> ns;
+  for (std::size_t k = 0; k < seconds.size(); ++k) {
+    ns.push_back(1e9 * (seconds[k] - floor[k]) / static_cast<double>(pixels));
+  }
+  const Interval interval = MedianInterval(std::move(ns));
+  row.ns_low = interval.low;
+  row.ns = interval.median;
+  row.ns_high = interval.high;
+}
+
+bool IsFloor(const ValueContender& contender) {
+  return contender.name == kValueFloor || contender.name == kLibraryFloor;
+}
+
+void RunValueFamily(const ValueFamilyKind& kind, const ValueBenchOptions& options,
+                    const std::vector<const ValueKernels*>& kernels, BenchResult& result) {
+  const ValueScene scene = MakeValueScene(kind, options.covered, options.seed);
+  KernelDrawer drawer(scene, kind.width);
+  LibraryDrawer library(scene, kind);
+  std::vector<ValueContender> list;
+  for (const ValueKernels* of : kernels) {
+    AddKernels(*of, of == kernels.front() ? "" : "reciprocal", drawer, list);
+  }
+  AddLibrary(library, kernels.front()->target, list);
+  if (kind.is_clip_space) std::erase_if(list, &ValueContender::is_of_window);
+  const std::vector<std::vector<double>> seconds = Times(list, options.rounds);
+  const std::vector<ExactValue> judged = Judged(scene, options.judged);
+  const auto floor_of = [&](const std::string& name) -> const std::vector<double>& {
+    const auto found = std::ranges::find(list, name, &ValueContender::name);
+    return seconds[static_cast<std::size_t>(found - list.begin())];
+  };
+  ValueBenchFamily family{std::string(kind.name),
+                          std::string(kind.summary),
+                          kind.is_clip_space,
+                          scene.triangles.size(),
+                          scene.covered,
+                          judged.size(),
+                          0};
+  family.floor_ns =
+      1e9 * MedianInterval(floor_of(kValueFloor)).median / static_cast<double>(scene.covered);
+  result.value_families.push_back(family);
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    const ValueContender& contender = list[k];
+    if (IsFloor(contender)) continue;
+    ValueErrors errors(contender.is_derivative, contender.bound);
+    for (const ExactValue& exact : judged) {
+      errors.Add(exact, contender.show(exact));
+    }
+    ValueBenchRow row;
+    row.family = static_cast<std::uint32_t>(result.value_families.size() - 1);
+    row.method = contender.name;
+    row.target = contender.target;
+    row.shows = contender.is_derivative ? "d/dx" : "value";
+    SetTimes(seconds[k], floor_of(contender.floor), scene.covered, row);
+    errors.WriteTo(row);
+    result.value_rows.push_back(std::move(row));
+  }
+}
+
+}  // namespace
+
+void RunValues(const ValueBenchOptions& options, BenchResult& result) {
+  for (const std::string& name : options.families) {
+    if (std::ranges::find(ValueFamilyKinds(), name, &ValueFamilyKind::name) !=
+        ValueFamilyKinds().end()) {
+      continue;
+    }
+    std::string known;
+    for (const ValueFamilyKind& kind : ValueFamilyKinds()) {
+      known += (known.empty() ? "" : ", ") + std::string(kind.name);
+    }
+    throw InputError("--family " + name, "there is no such family of values", "choose of " + known);
+  }
+  const std::vector<const ValueKernels*> kernels = SupportedValueKernels();
+  if (kernels.empty()) {
+    throw InputError("--values", "this machine has no AVX2", "run it on one that has");
+  }
+  for (const ValueFamilyKind& kind : ValueFamilyKinds()) {
+    const bool is_asked = options.families.empty() ||
+                          std::ranges::find(options.families, kind.name) != options.families.end();
+    if (!is_asked) continue;
+    if (options.progress) options.progress(std::string(kind.name));
+    RunValueFamily(kind, options, kernels, result);
+  }
+}
+
+}  // namespace rasterproof::bench

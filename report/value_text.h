@@ -1,0 +1,21 @@
+// Error against run time of values, as a table.
+#ifndef RASTERPROOF_REPORT_VALUE_TEXT_H_
+#define RASTERPROOF_REPORT_VALUE_TEXT_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/bench_result.h"
+
+namespace rasterproof::report {
+
+/// The rows of a family, those by values first, cheapest first.
+std::vector<const ValueBenchRow*> ValueRowsOf(const BenchResult& result, std::uint32_t family);
+
+/// A table a family, and the advice that it measures.
+std::string ValuesToTable(const BenchResult& result);
+
+}  // namespace rasterproof::report
+
+#endif  // RASTERPROOF_REPORT_VALUE_TEXT_H_

@@ -264,6 +264,7 @@ struct BenchResult {
   std::vector<BenchFingerprint> fingerprints;
   std::vector<ValueBenchFamily> value_families;
   std::vector<ValueBenchRow> value_rows;
+  std::vector<ValueBenchLimit> value_limits;
 };
 
 }  // namespace rasterproof

@@ -50,6 +50,16 @@ struct ValueBenchRow {
   ValueBenchCase worst;  ///< of the largest error in ulps
 };
 
+/// Up to which power of two a parameter may grow until a value in [0, 1] is off by more than half
+/// a texel of 4096. Failing is not monotone: below the first failing power all that were tried held.
+struct ValueBenchLimit {
+  std::string parameter;  ///< "w-ratio", "distance", "aspect"
+  std::string method;
+  std::string target;
+  double held_to = ValueBenchRow::kNone;   ///< the exponent; NaN: not even the first
+  double fails_at = ValueBenchRow::kNone;  ///< NaN: nowhere
+};
+
 }  // namespace rasterproof
 
 #endif  // RASTERPROOF_CORE_VALUE_RESULT_H_

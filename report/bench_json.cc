@@ -42,7 +42,8 @@ concept HasItems = requires(T& value) { ItemsOf(value); };
 template <class T>
 constexpr bool kIsOnOneLine =
     std::same_as<T, BenchRow> || std::same_as<T, BenchErrors> || std::same_as<T, BenchLeftOut> ||
-    std::same_as<T, BenchCurve> || std::same_as<T, BenchCliff> || std::same_as<T, ValueBenchRow>;
+    std::same_as<T, BenchCurve> || std::same_as<T, BenchCliff> || std::same_as<T, ValueBenchRow> ||
+    std::same_as<T, ValueBenchLimit>;
 
 // Visits the members of an object and writes them.
 class BenchWriter {

@@ -228,6 +228,14 @@ void Members(auto& visit, ValueBenchRow& row) {
   visit("worst", row.worst);
 }
 
+void Members(auto& visit, ValueBenchLimit& limit) {
+  visit("parameter", limit.parameter);
+  visit("method", limit.method);
+  visit("target", limit.target);
+  visit("held_to", limit.held_to);
+  visit("fails_at", limit.fails_at);
+}
+
 /// Besides its members, the file begins with its version and has the decisions after `left_out`.
 void Members(auto& visit, BenchResult& result) {
   visit.Version("rasterproof_bench");
@@ -255,6 +263,7 @@ void Members(auto& visit, BenchResult& result) {
   if (!visit.Has("value_families", has_values)) return;
   visit("value_families", result.value_families);
   visit("value_rows", result.value_rows);
+  visit("value_limits", result.value_limits);
 }
 
 }  // namespace rasterproof::report

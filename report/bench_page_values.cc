@@ -79,6 +79,35 @@ std::string TableOf(const std::vector<const ValueBenchRow*>& rows) {
   return html + "</tbody></table></div>\n";
 }
 
+// A row a method, a column a parameter.
+std::string LimitsOf(const BenchResult& bench) {
+  const std::vector<std::string> parameters = ValueParametersOf(bench);
+  if (parameters.empty()) return {};
+  std::string html = "<div class=\"scroll\"><table><thead><tr><th>method</th>";
+  for (const std::string& parameter : parameters) {
+    html += fmt::format("<th>{}</th>", Escaped(parameter));
+  }
+  html += "</tr></thead><tbody>\n";
+  std::vector<std::string> shown;
+  for (const ValueBenchLimit& limit : bench.value_limits) {
+    const std::string name = limit.method + " by " + limit.target;
+    if (std::ranges::find(shown, name) != shown.end()) continue;
+    shown.push_back(name);
+    html += fmt::format("<tr><th scope=\"row\" class=\"name\">{}</th>", Escaped(name));
+    for (const std::string& parameter : parameters) {
+      const auto found = std::ranges::find_if(bench.value_limits, [&](const auto& one) {
+        return one.parameter == parameter && one.method == limit.method &&
+               one.target == limit.target;
+      });
+      html += fmt::format("<td class=\"why\">{}</td>",
+                          found == bench.value_limits.end() ? "–" : ValueLimitText(*found));
+    }
+    html += "</tr>\n";
+  }
+  return Folded("Where each ends: a value in [0, 1] is off by half a texel of 4096",
+                html + "</tbody></table></div>\n", false);
+}
+
 }  // namespace
 
 std::string ValueParts(const BenchResult& bench) {
@@ -99,7 +128,7 @@ std::string ValueParts(const BenchResult& bench) {
                                Escaped(family.summary)),
                    PlotOf(rows) + TableOf(rows), k == 0);
   }
-  return html +
+  return html + LimitsOf(bench) +
          ColumnKey({{"ns a pixel",
                      "of a covered one, from a triangle's set-up to the last store, less the same "
                      "frame storing a constant"},

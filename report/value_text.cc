@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
@@ -18,7 +19,38 @@ std::string ShareText(const ValueBenchRow& row) {
   return fmt::format("{:.3f}", row.share_of_bound);
 }
 
+// Methods of which the same is said stand together.
+std::string LimitsText(const BenchResult& result, const std::string& parameter) {
+  std::vector<std::pair<std::string, std::string>> lines;
+  for (const ValueBenchLimit& limit : result.value_limits) {
+    if (limit.parameter != parameter) continue;
+    const std::string said = ValueLimitText(limit);
+    auto line = std::ranges::find(lines, said, &decltype(lines)::value_type::first);
+    if (line == lines.end()) line = lines.insert(line, {said, {}});
+    line->second += (line->second.empty() ? "" : ", ") + limit.method;
+  }
+  std::string text =
+      fmt::format("\n{}, until a value in [0, 1] is off by half a texel:\n", parameter);
+  for (const auto& [said, names] : lines) text += fmt::format("  {}: {}\n", said, names);
+  return text;
+}
+
 }  // namespace
+
+std::string ValueLimitText(const ValueBenchLimit& limit) {
+  const std::string held =
+      std::isnan(limit.held_to) ? "never held" : fmt::format("held to 2^{:g}", limit.held_to);
+  return std::isnan(limit.fails_at) ? held + ", the end"
+                                    : held + fmt::format(", fails at 2^{:g}", limit.fails_at);
+}
+
+std::vector<std::string> ValueParametersOf(const BenchResult& result) {
+  std::vector<std::string> names;
+  for (const ValueBenchLimit& limit : result.value_limits) {
+    if (std::ranges::find(names, limit.parameter) == names.end()) names.push_back(limit.parameter);
+  }
+  return names;
+}
 
 std::vector<const ValueBenchRow*> ValueRowsOf(const BenchResult& result, std::uint32_t family) {
   std::vector<const ValueBenchRow*> rows;
@@ -48,6 +80,9 @@ std::string ValuesToTable(const BenchResult& result) {
           row->method, row->target, row->shows, row->ns, row->ns_low, row->ns_high, row->ulps,
           row->ulps_999, row->texels, row->texels_999, ShareText(*row), row->not_finite);
     }
+  }
+  for (const std::string& parameter : ValueParametersOf(result)) {
+    text += LimitsText(result, parameter);
   }
   for (const ValueAdvice& advice : ValueAdviceOf(result)) {
     text += fmt::format("\n\"{}\" ({}): {}.\n", advice.text, advice.method, advice.measured);

@@ -13,6 +13,11 @@ namespace rasterproof::report {
 /// The rows of a family, those by values first, cheapest first.
 std::vector<const ValueBenchRow*> ValueRowsOf(const BenchResult& result, std::uint32_t family);
 
+/// "held to 2^20, fails at 2^21".
+std::string ValueLimitText(const ValueBenchLimit& limit);
+/// The parameters that there are limits of.
+std::vector<std::string> ValueParametersOf(const BenchResult& result);
+
 /// A table a family, and the advice that it measures.
 std::string ValuesToTable(const BenchResult& result);
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <iterator>
-#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/paired.h"
@@ -17,7 +18,6 @@
 #include "bench/values/value_kernels.h"
 #include "core/clock.h"
 #include "core/error.h"
-#include "core/ulp.h"
 #include "library/draw.h"
 #include "library/kernels/kernel.h"
 #include "library/kernels/kernel_table.h"
@@ -274,17 +274,36 @@ bool IsFloor(const ValueContender& contender) {
   return contender.name == kValueFloor || contender.name == kLibraryFloor;
 }
 
+// What draws a scene.
+class Drawers {
+ public:
+  Drawers(const ValueScene& scene, const ValueFamilyKind& kind,
+          const std::vector<const ValueKernels*>& kernels)
+      : kernels_(scene, kind.width), library_(scene, kind) {
+    for (const ValueKernels* of : kernels) {
+      AddKernels(*of, of == kernels.front() ? "" : "reciprocal", kernels_, list_);
+    }
+    AddLibrary(library_, kernels.front()->target, list_);
+    if (kind.is_clip_space) std::erase_if(list_, &IsOfWindow);
+  }
+  Drawers(const Drawers&) = delete;
+  Drawers& operator=(const Drawers&) = delete;
+
+  const std::vector<ValueContender>& list() const { return list_; }
+
+ private:
+  static bool IsOfWindow(const ValueContender& contender) { return contender.is_of_window; }
+
+  KernelDrawer kernels_;
+  LibraryDrawer library_;
+  std::vector<ValueContender> list_;
+};
+
 void RunValueFamily(const ValueFamilyKind& kind, const ValueBenchOptions& options,
                     const std::vector<const ValueKernels*>& kernels, BenchResult& result) {
   const ValueScene scene = MakeValueScene(kind, options.covered, options.seed);
-  KernelDrawer drawer(scene, kind.width);
-  LibraryDrawer library(scene, kind);
-  std::vector<ValueContender> list;
-  for (const ValueKernels* of : kernels) {
-    AddKernels(*of, of == kernels.front() ? "" : "reciprocal", drawer, list);
-  }
-  AddLibrary(library, kernels.front()->target, list);
-  if (kind.is_clip_space) std::erase_if(list, &ValueContender::is_of_window);
+  const Drawers drawers(scene, kind, kernels);
+  const std::vector<ValueContender>& list = drawers.list();
   const std::vector<std::vector<double>> seconds = Times(list, options.rounds);
   const std::vector<ExactValue> judged = Judged(scene, options.judged);
   const auto floor_of = [&](const std::string& name) -> const std::vector<double>& {
@@ -319,6 +338,39 @@ void RunValueFamily(const ValueFamilyKind& kind, const ValueBenchOptions& option
   }
 }
 
+// The largest error of each contender at one value of a parameter, in texels; infinity of a NaN.
+void AddLimitsAt(const ValueParameter& parameter, int exponent, std::uint64_t seed,
+                 const std::vector<const ValueKernels*>& kernels,
+                 std::vector<ValueBenchLimit>& limits) {
+  constexpr std::uint64_t kCovered = 1'000;
+  constexpr std::size_t kJudged = 200;
+  constexpr double kMostTexels = 0.5;
+  ValueFamilyKind kind = parameter.kind;
+  kind.value = exponent;
+  const ValueScene scene = MakeValueScene(kind, kCovered, seed);
+  const Drawers drawers(scene, kind, kernels);
+  const std::vector<ExactValue> judged = Judged(scene, kJudged);
+  for (const ValueContender& contender : drawers.list()) {
+    if (IsFloor(contender) || contender.is_derivative) continue;
+    auto limit = std::ranges::find_if(limits, [&](const ValueBenchLimit& one) {
+      return one.parameter == kind.name && one.method == contender.name &&
+             one.target == contender.target;
+    });
+    if (limit == limits.end()) {
+      limit = limits.insert(limit, {.parameter = std::string(kind.name),
+                                    .method = contender.name,
+                                    .target = contender.target});
+    }
+    if (!std::isnan(limit->fails_at)) continue;
+    ValueErrors errors(false, contender.bound);
+    for (const ExactValue& exact : judged) errors.Add(exact, contender.show(exact));
+    ValueBenchRow row;
+    errors.WriteTo(row);
+    const bool holds = row.not_finite == 0 && row.texels <= kMostTexels;
+    (holds ? limit->held_to : limit->fails_at) = exponent;
+  }
+}
+
 }  // namespace
 
 void RunValues(const ValueBenchOptions& options, BenchResult& result) {
@@ -343,6 +395,13 @@ void RunValues(const ValueBenchOptions& options, BenchResult& result) {
     if (!is_asked) continue;
     if (options.progress) options.progress(std::string(kind.name));
     RunValueFamily(kind, options, kernels, result);
+  }
+  if (!options.families.empty()) return;
+  for (const ValueParameter& parameter : ValueParameters()) {
+    if (options.progress) options.progress(std::string(parameter.kind.name));
+    for (int exponent = parameter.first; exponent <= parameter.last; ++exponent) {
+      AddLimitsAt(parameter, exponent, options.seed, kernels, result.value_limits);
+    }
   }
 }
 

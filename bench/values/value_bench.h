@@ -30,7 +30,7 @@ std::vector<const ValueKernels*> SupportedValueKernels();
 ///
 /// Each round draws every method on spans that were found before, from the first triangle's set-up
 /// to the last store; its time is that less the floor's of the same round. A family in window space
-/// has all methods, one in clip space those for any w.
+/// has all methods, one in clip space those for any w. Of all families also value_limits.
 ///
 /// Error:      InputError for a family that there is not.
 void RunValues(const ValueBenchOptions& options, BenchResult& result);

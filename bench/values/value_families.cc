@@ -40,11 +40,11 @@ void SetCorner(ValueTriangle& t, int k, double x, double y, double w, double a) 
   t.a[k] = static_cast<float>(a);
 }
 
-// Anywhere on a target of 512 x 512 after (left, top), of this size.
-ValueTriangle Somewhere(ValueRandom& random, double size, double left = 0, double top = 0) {
+// Anywhere on a target of 512 x 512, of this size.
+ValueTriangle Somewhere(ValueRandom& random, double size) {
   ValueTriangle t{};
-  const double x = left + random.Uniform(0, 512 - size);
-  const double y = top + random.Uniform(0, 512 - size);
+  const double x = random.Uniform(0, 512 - size);
+  const double y = random.Uniform(0, 512 - size);
   for (int k = 0; k < 3; ++k) {
     SetCorner(t, k, x + random.Uniform(0, size), y + random.Uniform(0, size), 1,
               random.Uniform(0, 1));
@@ -59,20 +59,18 @@ void SetW(ValueTriangle& t, const std::array<double, 3>& w) {
   }
 }
 
-ValueTriangle Screen(std::uint64_t seed, int index) {
+ValueTriangle Screen(std::uint64_t seed, int index, double /*value*/) {
   ValueRandom random(seed, index);
   return Somewhere(random, 256);
 }
-ValueTriangle Tiny(std::uint64_t seed, int index) {
+ValueTriangle Tiny(std::uint64_t seed, int index, double /*value*/) {
   ValueRandom random(seed, index);
   return Somewhere(random, 2.5);
 }
-// One corner within 1/8 pixel of the line through the others.
-ValueTriangle Sliver(std::uint64_t seed, int index) {
-  ValueRandom random(seed, index);
+// One corner so many pixels from the line through the others.
+ValueTriangle Needle(ValueRandom& random, double aside) {
   ValueTriangle t = Somewhere(random, 400);
   const double along = random.Uniform(0, 1);
-  const double aside = std::exp2(random.Uniform(-12, -3));
   const double x = t.x[1] - t.x[0];
   const double y = t.y[1] - t.y[0];
   const double length = std::hypot(x, y);
@@ -80,26 +78,41 @@ ValueTriangle Sliver(std::uint64_t seed, int index) {
             1, t.a[2]);
   return t;
 }
-ValueTriangle Cancelling(std::uint64_t seed, int index) {
+ValueTriangle Sliver(std::uint64_t seed, int index, double /*value*/) {
+  ValueRandom random(seed, index);
+  return Needle(random, std::exp2(random.Uniform(-12, -3)));
+}
+// 2^value times as long as wide.
+ValueTriangle Aspect(std::uint64_t seed, int index, double value) {
+  ValueRandom random(seed, index);
+  return Needle(random, 256 * std::exp2(-value));
+}
+ValueTriangle Cancelling(std::uint64_t seed, int index, double /*value*/) {
   ValueRandom random(seed, index);
   ValueTriangle t = Somewhere(random, 256);
   for (float& a : t.a) a = static_cast<float>(1e6 + random.Uniform(-1, 1));
   return t;
 }
-ValueTriangle Far(std::uint64_t seed, int index) {
+// Up to 2^value pixels right of the origin, on few rows.
+ValueTriangle Far(std::uint64_t seed, int index, double value) {
   ValueRandom random(seed, index);
-  return Somewhere(random, 48, 16384 - 512, 2048 - 512);
+  ValueTriangle t{};
+  const double x = std::exp2(value) - random.Uniform(48, 512);
+  for (int k = 0; k < 3; ++k) {
+    SetCorner(t, k, x + random.Uniform(0, 48), random.Uniform(0, 64), 1, random.Uniform(0, 1));
+  }
+  return t;
 }
-template <int kBits>
-ValueTriangle Ratio(std::uint64_t seed, int index) {
+// w in a ratio of 2^value.
+ValueTriangle Ratio(std::uint64_t seed, int index, double value) {
   ValueRandom random(seed, index);
   ValueTriangle t = Somewhere(random, 256);
-  const double half = kBits / 2.0;
+  const double half = value / 2;
   SetW(t, {std::exp2(-half), std::exp2(random.Uniform(-half, half)), std::exp2(half)});
   return t;
 }
 // One corner just before or behind the eye: the triangle runs to the horizon.
-ValueTriangle NearZeroW(std::uint64_t seed, int index) {
+ValueTriangle NearZeroW(std::uint64_t seed, int index, double /*value*/) {
   ValueRandom random(seed, index);
   ValueTriangle t = Somewhere(random, 256);
   const double sign = random.Uniform(-1, 1) < 0 ? -1 : 1;
@@ -107,7 +120,7 @@ ValueTriangle NearZeroW(std::uint64_t seed, int index) {
   return t;
 }
 // A floor of 64 x 64 squares in perspective, u along it.
-ValueTriangle Floor(std::uint64_t /*seed*/, int index) {
+ValueTriangle Floor(std::uint64_t /*seed*/, int index, double /*value*/) {
   ValueTriangle t{};
   const int square = index / 2 % 4096;
   constexpr std::array<std::array<std::array<int, 2>, 3>, 2> kHalves{
@@ -136,28 +149,42 @@ void AddTriangle(const ValueTriangle& t, ValueScene& scene) {
 
 std::span<const ValueFamilyKind> ValueFamilyKinds() {
   static constexpr std::array kKinds{
-      ValueFamilyKind{"screen", "Triangles of up to 256 pixels a side.", false, 512, 512, &Screen},
+      ValueFamilyKind{"screen", "Triangles of up to 256 pixels a side.", false, 512, 512, 0,
+                      &Screen},
       ValueFamilyKind{"slivers", "One corner within 2^-12 to 2^-3 pixels of the opposite edge.",
-                      false, 512, 512, &Sliver},
-      ValueFamilyKind{"cancelling", "Numbers of 1e6 +- 1 at the corners.", false, 512, 512,
+                      false, 512, 512, 0, &Sliver},
+      ValueFamilyKind{"cancelling", "Numbers of 1e6 +- 1 at the corners.", false, 512, 512, 0,
                       &Cancelling},
-      ValueFamilyKind{"far", "Triangles of 48 pixels about 16384 pixels from the origin.", false,
-                      16384, 2048, &Far},
-      ValueFamilyKind{"tiny", "Triangles of up to 2.5 pixels a side.", false, 512, 512, &Tiny},
-      ValueFamilyKind{"w-4", "w at the corners in a ratio of 2^4.", true, 512, 512, &Ratio<4>},
-      ValueFamilyKind{"w-20", "w at the corners in a ratio of 2^20.", true, 512, 512, &Ratio<20>},
-      ValueFamilyKind{"w-60", "w at the corners in a ratio of 2^60.", true, 512, 512, &Ratio<60>},
+      ValueFamilyKind{"far", "Triangles of 48 pixels up to 16384 pixels from the origin.", false,
+                      16384, 64, 14, &Far},
+      ValueFamilyKind{"tiny", "Triangles of up to 2.5 pixels a side.", false, 512, 512, 0, &Tiny},
+      ValueFamilyKind{"w-4", "w at the corners in a ratio of 2^4.", true, 512, 512, 4, &Ratio},
+      ValueFamilyKind{"w-20", "w at the corners in a ratio of 2^20.", true, 512, 512, 20, &Ratio},
+      ValueFamilyKind{"w-60", "w at the corners in a ratio of 2^60.", true, 512, 512, 60, &Ratio},
       ValueFamilyKind{"near-zero-w", "One corner's w within 2^-8 of 0, of either sign.", true, 512,
-                      512, &NearZeroW},
-      ValueFamilyKind{"mesh", "A floor of 4096 squares in perspective.", true, 512, 512, &Floor}};
+                      512, 0, &NearZeroW},
+      ValueFamilyKind{"mesh", "A floor of 4096 squares in perspective.", true, 512, 512, 0,
+                      &Floor}};
   return kKinds;
+}
+
+std::span<const ValueParameter> ValueParameters() {
+  static constexpr std::array kParameters{
+      ValueParameter{{"w-ratio", "of w at the corners", true, 512, 512, 0, &Ratio}, 0, 60},
+      ValueParameter{
+          {"distance", "from the origin, pixels; triangles of 48", false, 65536, 64, 0, &Far},
+          9,
+          16},
+      ValueParameter{
+          {"aspect", "length over width, of 256 pixels", false, 512, 512, 0, &Aspect}, 0, 20}};
+  return kParameters;
 }
 
 ValueScene MakeValueScene(const ValueFamilyKind& kind, std::uint64_t covered, std::uint64_t seed) {
   ValueScene scene;
   scene.space = kind.is_clip_space ? RasterSpace::kClip : RasterSpace::kWindow;
   for (int index = 0; index < kMostValueTriangles && scene.covered < covered; ++index) {
-    const ValueTriangle t = kind.draw(seed, index);
+    const ValueTriangle t = kind.draw(seed, index, kind.value);
     ValueScene alone;
     alone.space = scene.space;
     AddTriangle(t, alone);

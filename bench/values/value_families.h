@@ -19,11 +19,22 @@ struct ValueFamilyKind {
   bool is_clip_space = false;
   int width = 512;
   int height = 512;
-  ValueTriangle (*draw)(std::uint64_t seed, int index) = nullptr;
+  double value = 0;  ///< of the parameter, where there is one
+  ValueTriangle (*draw)(std::uint64_t seed, int index, double value) = nullptr;
 };
 
 /// "screen", "slivers", "cancelling", "far", "tiny", "w-4", "w-20", "w-60", "near-zero-w", "mesh".
 std::span<const ValueFamilyKind> ValueFamilyKinds();
+
+/// A power of two that makes values harder as its exponent grows from `first` to `last`.
+struct ValueParameter {
+  ValueFamilyKind kind;  ///< of any value
+  int first = 0;
+  int last = 0;
+};
+
+/// "w-ratio", "distance", "aspect".
+std::span<const ValueParameter> ValueParameters();
 
 /// Triangles until they cover so many pixels, as the library takes them and as kernels do.
 struct ValueScene {

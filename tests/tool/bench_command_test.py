@@ -186,6 +186,37 @@ class Bench(unittest.TestCase):
             for arguments in (("--error", "0"), ("--error", "-1", "--bench", path),
                               ("--error", "1", "--bench", "scenes/ties.json")):  # fmt: skip
                 self.assertEqual(plan(*arguments).returncode, 2, arguments)
+    def test_values_are_measured_recorded_and_read_again(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "values.json")
+            done = bench("--values", "--family", "cancelling", "--family", "w-20", "--json", path)
+            if "no AVX2" in done.stderr:
+                self.skipTest("no AVX2")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(path, encoding="utf-8") as file:
+                record = json.load(file)
+            rows = record["value_rows"]
+            self.assertEqual({row["family"] for row in rows}, {"cancelling", "w-20"})
+            nearest = [row for row in rows if row["method"] == "library-nearest"]
+            self.assertEqual(len(nearest), 2)
+            self.assertTrue(all(row["ulps"] <= 0.5 for row in nearest))
+            for row in rows:
+                if isinstance(row["share_of_bound"], float):
+                    self.assertLessEqual(row["share_of_bound"], 1, row["method"])
+            for advice in ("Differences from one vertex", "one Newton step", "Interpolate in double",
+                           "Derivatives by differences"):  # fmt: skip
+                self.assertIn(advice, done.stdout)
+            self.assertEqual(bench("--from", path).stdout, done.stdout)
+            certify = [PROGRAM, "certify", "--subject", "spans-exact", "--cases", "1",
+                       "--out", folder, "--bench", path]  # fmt: skip
+            done = subprocess.run(certify, cwd=SOURCES, capture_output=True, text=True,
+                                  timeout=900)  # fmt: skip
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(os.path.join(folder, "report.html"), encoding="utf-8") as file:
+                page = html.unescape(re.sub("</?span>", "", file.read()))
+            section = page[page.index('id="interpolation"'):]
+            self.assertIn("library-nearest", section)
+
     def test_limits_are_cases_that_replay(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "limits.json")

@@ -38,6 +38,7 @@
 #include "report/bench_json.h"
 #include "report/bench_svg.h"
 #include "report/bench_text.h"
+#include "report/value_text.h"
 #include "subjects/plugin/plugin.h"
 #include "tool/bench/fingerprints.h"
 #include "tool/bench/limits.h"
@@ -395,7 +396,8 @@ int RunBench(const BenchOptions& options) {
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
   if (!options.svg.empty()) io::WriteFile(options.svg, report::BenchToSvg(result));
   if (!before) {
-    io::WriteStandardOutput(report::BenchToTable(result));
+    if (!result.families.empty()) io::WriteStandardOutput(report::BenchToTable(result));
+    io::WriteStandardOutput(report::ValuesToTable(result));
     return LacksAUsers(result) ? kExitInconclusive : kExitHolds;
   }
   io::WriteStandardOutput(report::BenchChangesText(*before, result));

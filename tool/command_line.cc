@@ -216,8 +216,9 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option(
       "--against", options.against,
       "File of an earlier --json: report changes since; status 1 if anything got worse");
-  verb->add_option("--from", options.from,
-                   "File of an earlier --json: report it instead of measuring");
+  verb->add_option(
+      "--from", options.from,
+      "File of an earlier --json: report it instead of measuring, or add --values to it");
   verb->add_option("--json", options.json, "Result as JSON, raw times included");
   verb->add_option("--svg", options.svg, "Plot of error against run time, one panel per family");
   CLI::Option* fingerprint =

@@ -133,6 +133,7 @@ class LibraryDrawer {
         dy_(values_.size()) {}
 
   void Floor() {
+    drawn_ = {};
     struct Plane {
       float* first;
       std::size_t pitch;
@@ -148,17 +149,19 @@ class LibraryDrawer {
         &plane);
   }
   void Draw(RasterRounding rounding, bool with_derivatives) {
+    drawn_ = {};
     RasterizeValues(scene_.Mesh(), In(scene_.numbers, rounding, with_derivatives));
   }
+  // Pixels of one triangle are asked for one after the other: it is drawn once.
   float Show(const ExactValue& at, RasterRounding rounding, bool derivative) {
-    const ValueTriangle& t = at.triangle;
-    std::vector<float> positions;
-    const std::array<std::uint32_t, 3> indices{0, 1, 2};
-    for (std::size_t k = 0; k < 3; ++k) {
-      positions.insert(positions.end(), {t.x[k], t.y[k], 0});
-      if (scene_.space != RasterSpace::kWindow) positions.push_back(t.w[k]);
+    const Drawn drawn{at.index, rounding, derivative};
+    if (drawn != drawn_) {
+      const std::size_t first = std::size_t{3} * at.index;
+      RasterMesh mesh = scene_.Mesh();
+      mesh.indices = mesh.indices.subspan(first, 3);
+      RasterizeValues(mesh, In(scene_.numbers, rounding, derivative));
+      drawn_ = drawn;
     }
-    RasterizeValues({positions, indices, scene_.space}, In(t.a, rounding, derivative));
     const std::size_t pixel =
         static_cast<std::size_t>(at.y) * static_cast<std::size_t>(kind_.width) +
         static_cast<std::size_t>(at.x);
@@ -179,9 +182,17 @@ class LibraryDrawer {
             .dy = derivatives ? std::span(dy_) : std::span<float>()};
   }
 
+  struct Drawn {
+    std::uint32_t triangle = kNoTriangle;
+    RasterRounding rounding = RasterRounding::kFast;
+    bool derivative = false;
+    friend bool operator==(const Drawn&, const Drawn&) = default;
+  };
+
   const ValueScene& scene_;
   const ValueFamilyKind& kind_;
   std::vector<float> values_, dx_, dy_;
+  Drawn drawn_;
 };
 
 constexpr const char* kLibraryFloor = "coverage";
@@ -249,6 +260,7 @@ std::vector<ExactValue> Judged(const ValueScene& scene, std::size_t count) {
     for (; next < before + width; next += step) {
       const int x = run.x0 + static_cast<int>(next - before);
       if (auto exact = ExactValueAt(scene.triangles[run.triangle], x, run.row)) {
+        exact->index = run.triangle;
         exact->first_x = run.x0;
         judged.push_back(std::move(*exact));
       }

@@ -67,7 +67,7 @@ std::optional<ExactValue> ExactValueAt(const ValueTriangle& t, int x, int y) {
   const auto condition = interpolant.Conditions(Interpolation::kPerspective, a);
   const auto ones = interpolant.Conditions(Interpolation::kPerspective, exact::Ones());
   if (!found || !condition || !ones) return std::nullopt;
-  ExactValue exact{t, x, y, x, found->value, found->dx, {}, {}, condition->dx.ToDouble()};
+  ExactValue exact{t, x, y, x, 0, found->value, found->dx, {}, {}, condition->dx.ToDouble()};
   const double value = found->value.ToDouble();
   // |d| = 2 sum M_i over the condition of ones.
   const double d = 2 * ReachAbout(t, x + 0.5, y + 0.5, 0, 0).of_one / ones->value.ToDouble();

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,8 @@ struct ExactValue {
   ValueTriangle triangle = {};
   int x = 0;
   int y = 0;
-  int first_x = 0;  ///< where its span begins
+  int first_x = 0;          ///< where its span begins
+  std::uint32_t index = 0;  ///< of the triangle in its scene
   exact::Rational value;
   exact::Rational dx;
   std::array<double, 3> condition{};  ///< by ConditionAbout

@@ -377,7 +377,11 @@ int RunBench(const BenchOptions& options) {
   }
   if (options.values) {
     BenchResult found;
-    found.setting = SettingOf(options);
+    if (options.from.empty()) {
+      found.setting = SettingOf(options);
+    } else {
+      found = report::ReadBench(options.from);
+    }
     PrintValues(options, found);
     return kExitHolds;
   }

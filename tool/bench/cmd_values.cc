@@ -25,6 +25,9 @@ void PrintValues(const BenchOptions& options, BenchResult& result) {
       values.rounds = 41;
     }
     values.progress = [&](const std::string& stage) { progress.Stage(stage); };
+    result.value_families.clear();  // those of the record that is added to
+    result.value_rows.clear();
+    result.value_limits.clear();
     bench::RunValues(values, result);
   }
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));

@@ -9,7 +9,7 @@ namespace rasterproof::tool {
 
 /// Measures methods of interpolation, prints them, and writes the record if the options want it.
 ///
-/// Domain:     a result that holds its setting and nothing else.
+/// Domain:     a result that holds its setting; its values are replaced.
 void PrintValues(const BenchOptions& options, BenchResult& result);
 
 }  // namespace rasterproof::tool

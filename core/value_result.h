@@ -51,7 +51,7 @@ struct ValueBenchRow {
 };
 
 /// Up to which power of two a parameter may grow until a value in [0, 1] is off by more than half
-/// a texel of 4096. Failing is not monotone: below the first failing power all that were tried held.
+/// a texel of 4096. Failing is not monotone: nothing is stated beyond the first failing one.
 struct ValueBenchLimit {
   std::string parameter;  ///< "w-ratio", "distance", "aspect"
   std::string method;

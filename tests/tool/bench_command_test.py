@@ -203,7 +203,7 @@ class Bench(unittest.TestCase):
             for row in rows:
                 if isinstance(row["share_of_bound"], float):
                     self.assertLessEqual(row["share_of_bound"], 1, row["method"])
-            for advice in ("Differences from one vertex", "one Newton step", "Interpolate in double",
+            for advice in ("Differences from one vertex", "one Newton step", "in double",
                            "Derivatives by differences"):  # fmt: skip
                 self.assertIn(advice, done.stdout)
             self.assertEqual(bench("--from", path).stdout, done.stdout)

@@ -44,7 +44,7 @@ float FloatAt(std::int64_t place) {
   const float magnitude = std::bit_cast<float>(static_cast<std::uint32_t>(std::abs(place)));
   return place < 0 ? -magnitude : magnitude;
 }
-std::int64_t PlaceOf(double value) {
+std::int64_t FloatPlaceOf(double value) {
   const auto bits =
       std::int64_t{std::bit_cast<std::uint32_t>(static_cast<float>(std::fabs(value)))};
   return std::copysign(1.0, value) < 0 ? -std::min(bits, kLargest) : std::min(bits, kLargest);
@@ -77,7 +77,7 @@ Places GuessedPlaces(const ValueQuotient& q, const ValueTerms& terms) {
   const double value = n / d;
   const double error = kOff * ((n_reach + std::fabs(value) * d_reach) / least);
   if (!(std::fabs(value) + error < std::numeric_limits<double>::infinity())) return {};
-  return {PlaceOf(value - error), PlaceOf(value + error)};
+  return {FloatPlaceOf(value - error), FloatPlaceOf(value + error)};
 }
 
 int SignOfDenominator(const ValueQuotient& q, const ValueTerms& terms) {

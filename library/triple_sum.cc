@@ -12,7 +12,7 @@ namespace {
 
 __extension__ using Uint128 = unsigned __int128;
 
-constexpr int kUnitExponent = -3222;  // three times the exponent of the smallest subnormal
+constexpr int kTripleUnitExponent = -3222;  // three times the exponent of the smallest subnormal
 constexpr std::uint64_t kLimbMask = 0xffffffff;
 
 /// The limbs of a * b * c, each factor below 2^53.
@@ -33,7 +33,7 @@ void TripleSum::Add(double x, double y, double z) {
   const Decoded b = Decode(y);
   const Decoded c = Decode(z);
   const bool negative = std::signbit(x) != (std::signbit(y) != std::signbit(z));
-  const int shift = a.exponent + b.exponent + c.exponent - kUnitExponent;
+  const int shift = a.exponent + b.exponent + c.exponent - kTripleUnitExponent;
   std::size_t limb = static_cast<std::size_t>(shift) / 32;
   std::uint64_t carried = 0;  // the bits that the shift pushes into the next limb
   for (const std::uint64_t part : LimbsOfProduct(a.significand, b.significand, c.significand)) {

@@ -60,11 +60,11 @@ struct Line {
 constexpr double kLineError = 8 * 0x1p-53;
 
 // n / d over columns [x0, x1) of a row as the kernel computes it.
-struct Row {
+struct ValueRow {
   double n_x, n_row, n_error;
   double d_x, d_row, d_error;
 
-  Row(const Line& n, const Line& d, int row, int x1)
+  ValueRow(const Line& n, const Line& d, int row, int x1)
       : n_x(n.a), n_row(n.c + n.b * (row + 0.5)), d_x(d.a), d_row(d.c + d.b * (row + 0.5)) {
     n_error = kLineError * (n.c_reach + n.b_reach * (row + 0.5) + n.a_reach * x1);
     d_error = kLineError * (d.c_reach + d.b_reach * (row + 0.5) + d.a_reach * x1);
@@ -124,7 +124,7 @@ class ValueDrawer {
   void SetUp(std::uint32_t triangle);
   void SetUpChannel(std::size_t channel, double scale);
   void DrawRow(const Channel& channel, const kernels::KernelSpan& span, std::size_t pixel);
-  void DrawNearest(const Row& row, int x0, int x1, float* value);
+  void DrawNearest(const ValueRow& row, int x0, int x1, float* value);
   static float Decide(const void* drawer, int column) {
     const ValueDrawer& self = *static_cast<const ValueDrawer*>(drawer);
     return library::NearestValue(self.QuotientOf(self.channel_), column + 0.5, self.row_ + 0.5);
@@ -220,7 +220,7 @@ void ValueDrawer::DrawRow(const Channel& channel, const kernels::KernelSpan& spa
     if (channel.n.IsNothing()) {
       fill(values_.values, 0);
     } else {
-      DrawNearest(Row(channel.n, d_, span.row, span.x1), span.x0, span.x1, value);
+      DrawNearest(ValueRow(channel.n, d_, span.row, span.x1), span.x0, span.x1, value);
     }
   } else {
     const bool has_derivatives = !values_.dx.empty();
@@ -230,7 +230,7 @@ void ValueDrawer::DrawRow(const Channel& channel, const kernels::KernelSpan& spa
   }
 }
 
-void ValueDrawer::DrawNearest(const Row& row, int x0, int x1, float* value) {
+void ValueDrawer::DrawNearest(const ValueRow& row, int x0, int x1, float* value) {
   const std::int64_t doubt = row.Doubt(x0, x1);
   constexpr int kLeast = 8;  // columns that are worth another try
   if (doubt >= 0) {

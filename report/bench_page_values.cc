@@ -27,7 +27,7 @@ double Along(double value, double low, double high) {
   return at / std::log(high / low);
 }
 
-std::string PlotOf(const std::vector<const ValueBenchRow*>& rows) {
+std::string ValuePlotOf(const std::vector<const ValueBenchRow*>& rows) {
   constexpr double kLeastUlps = 0.25;
   double most_ulps = 1;
   double least_ns = std::numeric_limits<double>::infinity();
@@ -59,7 +59,7 @@ std::string PlotOf(const std::vector<const ValueBenchRow*>& rows) {
                    kValuesEdge, kValuesDown + 32, least_ns, most_ns, kLeastUlps, 2 * most_ulps);
 }
 
-std::string TableOf(const std::vector<const ValueBenchRow*>& rows) {
+std::string ValueTableOf(const std::vector<const ValueBenchRow*>& rows) {
   std::string html =
       "<div class=\"scroll\"><table class=\"sorts rows\"><thead><tr><th>method</th><th>by</th>"
       "<th>shows</th><th class=\"number\">ns a pixel</th><th class=\"number\">ulps</th>"
@@ -126,7 +126,7 @@ std::string ValueParts(const BenchResult& bench) {
     const std::vector<const ValueBenchRow*> rows = ValueRowsOf(bench, k);
     html += Folded(fmt::format("<span class=\"name\">{}</span> {}", Escaped(family.name),
                                Escaped(family.summary)),
-                   PlotOf(rows) + TableOf(rows), k == 0);
+                   ValuePlotOf(rows) + ValueTableOf(rows), k == 0);
   }
   return html + LimitsOf(bench) +
          ColumnKey({{"ns a pixel",

@@ -29,7 +29,8 @@ constexpr std::array kCompared{
     Compared{"Interpolate in double", "inverse-matrix-f64", "inverse-matrix"},
     Compared{"Correct rounding is too dear", "library-nearest", "library"}};
 
-const ValueBenchRow* Find(const BenchResult& result, std::uint32_t family, std::string_view name) {
+const ValueBenchRow* FindValueRow(const BenchResult& result, std::uint32_t family,
+                                  std::string_view name) {
   const auto found = std::ranges::find_if(result.value_rows, [&](const ValueBenchRow& row) {
     return row.family == family && row.method == name;
   });
@@ -45,8 +46,8 @@ std::string Sentence(const BenchResult& result, const Compared& compared) {
   const ValueBenchRow* worst = nullptr;
   const ValueBenchRow* there = nullptr;
   for (std::uint32_t family = 0; family < result.value_families.size(); ++family) {
-    const ValueBenchRow* const row = Find(result, family, compared.method);
-    const ValueBenchRow* const other = Find(result, family, compared.beside);
+    const ValueBenchRow* const row = FindValueRow(result, family, compared.method);
+    const ValueBenchRow* const other = FindValueRow(result, family, compared.beside);
     if (row == nullptr || other == nullptr) continue;
     ++families;
     worse += row->ulps > other->ulps ? 1 : 0;

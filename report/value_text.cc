@@ -14,7 +14,7 @@
 namespace rasterproof::report {
 namespace {
 
-std::string ShareText(const ValueBenchRow& row) {
+std::string BoundShareText(const ValueBenchRow& row) {
   if (std::isnan(row.share_of_bound)) return "-";
   return fmt::format("{:.3f}", row.share_of_bound);
 }
@@ -78,7 +78,7 @@ std::string ValuesToTable(const BenchResult& result) {
           "{:<24} {:<6} {:<5} {:>5.3f} {:>5.3f}-{:<5.3f} {:>8.3g} {:>9.3g} {:>9.3g} {:>9.3g} {:>9} "
           "{:>6}\n",
           row->method, row->target, row->shows, row->ns, row->ns_low, row->ns_high, row->ulps,
-          row->ulps_999, row->texels, row->texels_999, ShareText(*row), row->not_finite);
+          row->ulps_999, row->texels, row->texels_999, BoundShareText(*row), row->not_finite);
     }
   }
   for (const std::string& parameter : ValueParametersOf(result)) {

@@ -94,7 +94,7 @@ ValueTriangle Cancelling(std::uint64_t seed, int index, double /*value*/) {
   return t;
 }
 // Up to 2^value pixels right of the origin, on few rows.
-ValueTriangle Far(std::uint64_t seed, int index, double value) {
+ValueTriangle FarTriangle(std::uint64_t seed, int index, double value) {
   ValueRandom random(seed, index);
   ValueTriangle t{};
   const double x = std::exp2(value) - random.Uniform(48, 512);
@@ -135,7 +135,7 @@ ValueTriangle Floor(std::uint64_t /*seed*/, int index, double /*value*/) {
   return t;
 }
 
-void AddTriangle(const ValueTriangle& t, ValueScene& scene) {
+void AddValueTriangle(const ValueTriangle& t, ValueScene& scene) {
   for (std::size_t k = 0; k < 3; ++k) {
     scene.indices.push_back(static_cast<std::uint32_t>(scene.numbers.size()));
     scene.positions.insert(scene.positions.end(), {t.x[k], t.y[k], 0});
@@ -156,7 +156,7 @@ std::span<const ValueFamilyKind> ValueFamilyKinds() {
       ValueFamilyKind{"cancelling", "Numbers of 1e6 +- 1 at the corners.", false, 512, 512, 0,
                       &Cancelling},
       ValueFamilyKind{"far", "Triangles of 48 pixels up to 16384 pixels from the origin.", false,
-                      16384, 64, 14, &Far},
+                      16384, 64, 14, &FarTriangle},
       ValueFamilyKind{"tiny", "Triangles of up to 2.5 pixels a side.", false, 512, 512, 0, &Tiny},
       ValueFamilyKind{"w-4", "w at the corners in a ratio of 2^4.", true, 512, 512, 4, &Ratio},
       ValueFamilyKind{"w-20", "w at the corners in a ratio of 2^20.", true, 512, 512, 20, &Ratio},
@@ -171,10 +171,10 @@ std::span<const ValueFamilyKind> ValueFamilyKinds() {
 std::span<const ValueParameter> ValueParameters() {
   static constexpr std::array kParameters{
       ValueParameter{{"w-ratio", "of w at the corners", true, 512, 512, 0, &Ratio}, 0, 60},
-      ValueParameter{
-          {"distance", "from the origin, pixels; triangles of 48", false, 65536, 64, 0, &Far},
-          9,
-          16},
+      ValueParameter{{"distance", "from the origin, pixels; triangles of 48", false, 65536, 64, 0,
+                      &FarTriangle},
+                     9,
+                     16},
       ValueParameter{
           {"aspect", "length over width, of 256 pixels", false, 512, 512, 0, &Aspect}, 0, 20}};
   return kParameters;
@@ -187,14 +187,14 @@ ValueScene MakeValueScene(const ValueFamilyKind& kind, std::uint64_t covered, st
     const ValueTriangle t = kind.draw(seed, index, kind.value);
     ValueScene alone;
     alone.space = scene.space;
-    AddTriangle(t, alone);
+    AddValueTriangle(t, alone);
     const auto triangle = static_cast<std::uint32_t>(scene.triangles.size());
     const std::size_t runs = scene.runs.size();
     Rasterize(alone.Mesh(), kind.width, kind.height, [&](const RasterSpan& span) {
       scene.runs.push_back({triangle, span.y, span.x0, span.x1});
       scene.covered += static_cast<std::uint64_t>(span.x1 - span.x0);
     });
-    if (scene.runs.size() > runs) AddTriangle(t, scene);
+    if (scene.runs.size() > runs) AddValueTriangle(t, scene);
   }
   return scene;
 }

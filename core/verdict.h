@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/case.h"
+#include "core/compared_numbers.h"
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/grids_left.h"
@@ -43,6 +44,8 @@ struct Verdict {
   std::optional<Witness> witness;
   /// The two drawings, if the property compares whole drawings. The case's own need not be one.
   std::shared_ptr<const ComparedCounts> compared = nullptr;
+  /// The numbers around the failing sample, if the property compares such as each sample shows.
+  std::shared_ptr<const ComparedNumbers> numbers = nullptr;
   /// Index of the check's draw that failed, counting its `bases` first; nothing: the case's own.
   std::optional<std::size_t> failed_draw = std::nullopt;
   /// The failing scene as it was drawn, if the property changed the case's scene: the witness then

@@ -7,9 +7,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
+#include "report/explanation_numbers.h"
 #include "report/figure.h"
 #include "report/overview.h"
 #include "report/picture.h"
@@ -53,6 +55,7 @@ class Layout {
       : explanation_(explanation),
         titles_(PanelTitles(explanation)),
         view_(ReadableView(explanation, kMostDrawnPixels)) {
+    if (HasNumbers(explanation)) scale_ = ScaleOf(*explanation.numbers);
     const int wide = view_.x1 - view_.x0;
     const int high = view_.y1 - view_.y0;
     cell_ = std::clamp(std::floor(352.0 / std::max({wide, high, 1})), 8.0, 56.0);
@@ -69,7 +72,7 @@ class Layout {
     for (std::size_t panel = 0; panel < titles_.size(); ++panel) DrawPanel(panel, top);
     y_ = top + cell_ * (view_.y1 - view_.y0) + kText;
     DrawWhole();
-    DrawLegend();
+    HasNumbers(explanation_) ? DrawNumberLegend() : DrawLegend();
     for (std::size_t k = 0; k < std::min(kMostLines, explanation_.edge_values.size()); ++k) {
       Paragraph(explanation_.edge_values[k], kInk, kText);
     }
@@ -110,8 +113,10 @@ class Layout {
     }
     DrawGrid(left, top);
     for (const int triangle : explanation_.triangles) DrawTriangle(triangle, left, top);
+    // The frame would hide dots of numbers, and lies over those of coverage.
+    if (HasNumbers(explanation_)) DrawFocus(left, top);
     DrawSamples(panel, left, top);
-    DrawFocus(left, top);
+    if (!HasNumbers(explanation_)) DrawFocus(left, top);
   }
 
   // Numbers of every column and row, or of as many as have room.
@@ -132,7 +137,32 @@ class Layout {
     }
   }
 
+  // The number as a colour; how far off it is, in words too.
+  void DrawNumberPixel(std::size_t panel, int x, int y, double left, double top) {
+    const ComparedNumber* const number = NumberAt(explanation_, x, y);
+    const bool is_whole = panel == 2 || explanation_.expected.samples == 1;
+    const Colour colour = number == nullptr || !is_whole ? kUncovered : ColourOf(*number, panel);
+    figure_.Rectangle(left, top, left + cell_, top + cell_, colour);
+    if (number == nullptr || !is_whole) return;
+    const double shown = panel == 0 ? number->expected : number->observed;
+    const char beside = NumberCharacter(scale_, shown);
+    const bool is_off = panel == 2 && !(std::fabs(number->off) <= 1);
+    const std::string text = is_off                                         ? OffText(number->off)
+                             : panel != 2 && (beside < '0' || beside > '9') ? std::string(1, beside)
+                                                                            : "";
+    const double size = std::min(kText, cell_ / (kAdvance * static_cast<double>(text.size() + 1)));
+    if (text.empty() || size < 7) return;
+    const bool is_dark = panel == 2 ? number->off < -40 : beside == '<';
+    figure_.CentredText({left + cell_ / 2, top + cell_ / 2}, text, is_dark ? kPaper : kInk, size);
+  }
+
+  Colour ColourOf(const ComparedNumber& number, std::size_t panel) const {
+    if (panel == 2) return OffColour(number.off);
+    return NumberColour(scale_, panel == 0 ? number.expected : number.observed);
+  }
+
   void DrawPixel(std::size_t panel, int x, int y, double left, double top) {
+    if (HasNumbers(explanation_)) return DrawNumberPixel(panel, x, y, left, top);
     const Pixel pixel = PixelAt(explanation_.observed, explanation_.expected, x, y);
     const std::uint64_t count = panel == 0 ? pixel.expected : pixel.observed;
     // Several samples covered once each make a pixel that is covered once.
@@ -216,10 +246,24 @@ class Layout {
         for (int s = 0; s < pattern.samples(); ++s) {
           const int row = IsUp() ? explanation_.expected.height - 1 - y : y;
           const Point2 at = OnPaper(pattern.At(x, row, s), left, top);
+          if (HasNumbers(explanation_)) {
+            DrawNumberSample(panel, NumberAt(explanation_, x, y, s), at, radius);
+            continue;
+          }
           DrawSample(panel, explanation_.expected.Index(x, y, s), at, radius);
         }
       }
     }
+  }
+
+  // Of several samples each shows its own number as a dot; how far off they are, the worst says.
+  void DrawNumberSample(std::size_t panel, const ComparedNumber* number, Point2 at, double radius) {
+    if (number == nullptr) return figure_.Dot(at, 0.7 * radius, Mix(kGrid, kInk, 0.2));
+    if (explanation_.expected.samples == 1 || panel == 2) return;
+    const double size = std::max(2 * radius, 3.0);
+    if (number == &explanation_.numbers->list.front()) figure_.Dot(at, size + 2.5, kInk);
+    figure_.Dot(at, size + 1, kPaper);
+    figure_.Dot(at, size, ColourOf(*number, panel));
   }
 
   void DrawSample(std::size_t panel, std::size_t index, Point2 at, double radius) {
@@ -254,6 +298,42 @@ class Layout {
     y_ += DrawOverview(*overview, {kMargin + kGutter, y_}, kOverviewWidth, figure_);
   }
 
+  // The scale with its ends, and what the third panel's colours mean.
+  void DrawNumberLegend() {
+    constexpr int kSteps = 48;
+    constexpr double kWide = 4;
+    const double low = y_ + 0.85 * kText;
+    double x = kMargin;
+    const auto write = [&](const std::string& text) {
+      figure_.Text({x, low}, text, kFaintInk, kText);
+      x += kAdvance * kText * static_cast<double>(text.size() + 1);
+    };
+    const auto square = [&](Colour colour, double wide) {
+      figure_.Rectangle(x, y_ + 1, x + wide, y_ + 1 + 0.9 * kText, colour);
+      x += wide;
+    };
+    write(NumberText(scale_.low));
+    for (int k = 0; k < kSteps; ++k) {
+      const double part = (k + 0.5) / kSteps;
+      square(NumberColour(scale_, scale_.low + part * (scale_.high - scale_.low)), kWide);
+    }
+    x += kAdvance * kText;
+    write(NumberText(scale_.high));
+    for (const auto& [off, text] :
+         {std::pair(0.0, "within"), std::pair(-2.0, "below"), std::pair(2.0, "above")}) {
+      x += kText;
+      square(OffColour(1e4 * off), 0.9 * kText);
+      x += 0.5 * kText;
+      write(text);
+    }
+    y_ += 1.5 * kText;
+    Paragraph(explanation_.numbers->is_in_ulps
+                  ? "difference: in ulps, where none is allowed; < and >: off the scale"
+                  : "difference: in units of the error that is allowed; < and >: off the scale",
+              kFaintInk, kText);
+    y_ += 0.7 * kText;
+  }
+
   void DrawLegend() {
     struct Entry {
       Colour colour;
@@ -283,6 +363,7 @@ class Layout {
   double panel_width_ = 0;
   std::size_t columns_ = 0;
   double y_ = 0;
+  NumberScale scale_;
 };
 
 }  // namespace

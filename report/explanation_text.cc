@@ -1,11 +1,13 @@
 // The failing place in characters, for a terminal.
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "fmt/format.h"
+#include "report/explanation_numbers.h"
 #include "report/overview.h"
 #include "report/picture.h"
 #include "report/pixel_state.h"
@@ -74,6 +76,17 @@ std::string Cell(const Pixel& pixel, std::size_t panel, bool colour) {
   return Coloured(c, loud ? StateCode(pixel.state) : kDim);
 }
 
+// One pixel of numbers: of several samples the one that is farthest off.
+std::string NumberCell(const ComparedNumber* number, const NumberScale& scale, std::size_t panel,
+                       bool colour) {
+  if (number == nullptr) return colour ? Coloured(' ', kPlain) : " ";
+  const char c = panel == 2
+                     ? OffCharacter(number->off)
+                     : NumberCharacter(scale, panel == 0 ? number->expected : number->observed);
+  if (!colour || panel == 0 || std::fabs(number->off) <= 1) return std::string(1, c);
+  return Coloured(c, number->off < 0 ? kUnexpectedColour : kMissingColour);
+}
+
 // Returns one row of one panel: for each pixel a cell and the character before it, and one
 // character more.
 std::string Row(const Explanation& explanation, const PixelRect& view, int y, std::size_t panel,
@@ -85,12 +98,25 @@ std::string Row(const Explanation& explanation, const PixelRect& view, int y, st
     const bool closes = here && x == explanation.focus_x + 1 && x > view.x0;
     row += opens ? '[' : closes ? ']' : ' ';
     if (x == view.x1) break;
+    if (HasNumbers(explanation)) {
+      row += NumberCell(NumberAt(explanation, x, y), ScaleOf(*explanation.numbers), panel, colour);
+      continue;
+    }
     row += Cell(PixelAt(explanation.observed, explanation.expected, x, y), panel, colour);
   }
   return row;
 }
 
+std::string LegendOfNumbers(const Explanation& explanation) {
+  const NumberScale scale = ScaleOf(*explanation.numbers);
+  return fmt::format(
+      "numbers: 0 to 9 from {} to {}, < below, > above, ? none   difference: . within what is "
+      "allowed  - below  + above   [ ] the pixel in question",
+      NumberText(scale.low), NumberText(scale.high));
+}
+
 std::string Legend(const Explanation& explanation) {
+  if (HasNumbers(explanation)) return LegendOfNumbers(explanation);
   std::string legend = "counts: . none, 1 to 9, # more";
   if (explanation.expected.samples > 1) {
     legend += fmt::format(" (over {} samples)", explanation.expected.samples);

@@ -4,11 +4,13 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/compared_numbers.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/fragments.h"
@@ -36,9 +38,12 @@ struct Explanation {
   /// Where the samples lie. Dots are left out if it has another number of them than the counts.
   SamplePattern pattern;
   YAxis y_axis = YAxis::kDown;
+  /// Numbers beside coverage, if one of them failed: the panels then show these.
+  std::shared_ptr<const ComparedNumbers> numbers = nullptr;
 };
 
-/// The pixel grid in characters: expected, actual and difference side by side, with a legend.
+/// The pixel grid in characters: expected, actual and difference of coverage, or of numbers, side
+/// by side, with a legend.
 /// Colour only if asked.
 ///
 /// Domain:     counts of one shape. A view that is empty or beyond what can be read is moved to the

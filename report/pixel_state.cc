@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "report/explanation_numbers.h"
+
 namespace rasterproof::report {
 namespace {
 
@@ -74,7 +76,9 @@ Pixel PixelAt(const CoverageCounts& observed, const CoverageCounts& expected, in
 
 std::span<const std::string_view> PanelTitles(const Explanation& explanation) {
   static constexpr std::array<std::string_view, 3> kThree{"expected", "actual", "difference"};
+  static constexpr std::array<std::string_view, 3> kOfNumbers{"exact", "shown", "difference"};
   static constexpr std::array<std::string_view, 1> kOne{"coverage, as expected"};
+  if (HasNumbers(explanation)) return kOfNumbers;
   if (Compare(explanation.observed, explanation.expected).wrong == 0) return kOne;
   return kThree;
 }

@@ -39,8 +39,8 @@ struct Pixel {
 };
 Pixel PixelAt(const CoverageCounts& observed, const CoverageCounts& expected, int x, int y);
 
-/// Expected, actual and difference; one panel alone where nothing differs, for then the property is
-/// of values and not of coverage.
+/// Expected, actual and difference, of numbers where there are some; one panel alone where nothing
+/// differs, for then the property is of values and not of coverage.
 std::span<const std::string_view> PanelTitles(const Explanation& explanation);
 
 /// The explanation's view within its target, at most `side` pixels wide and high, with the focus in

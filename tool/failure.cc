@@ -25,6 +25,7 @@
 #include "fmt/format.h"
 #include "io/scene_file.h"
 #include "props/placed_case.h"
+#include "report/explanation_numbers.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
@@ -297,6 +298,11 @@ report::Explanation Explain(const SubjectInfo& subject, const Case& given, const
         explanation.edge_values.push_back(EdgeLine(explanation.scene, triangle, edge, *sample));
       }
     }
+  }
+  if (verdict.numbers && !verdict.numbers->list.empty()) {
+    explanation.numbers = verdict.numbers;
+    const std::vector<std::string> lines = report::NumberLines(*verdict.numbers);
+    explanation.edge_values.insert(explanation.edge_values.begin(), lines.begin(), lines.end());
   }
   explanation.headline = verdict.message;
   explanation.replay = replay;

@@ -117,6 +117,12 @@ DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f
   check.is_judged = true;
   const Candidate& first = candidates.front();
   check.tells = !may_be(-first.number, 1) && !may_be(2 * first.number, 1);
+  const Candidate& nearest = *std::ranges::min_element(
+      candidates, {}, [&](const Candidate& c) { return std::fabs(x - c.number); });
+  check.nearest = nearest.number;
+  check.tolerance = nearest.tolerance;
+  const double off = std::fabs(x - nearest.number);
+  check.ratio = nearest.tolerance > 0 ? off / nearest.tolerance : 0;
   check.expected = {first.number, " within ", first.tolerance};
   if (may_be(x, -1)) return check;
   // An estimate acquits; only the exact number convicts.

@@ -21,6 +21,9 @@ struct DerivativeCheck {
   /// Whether the derivative with the other sign, by the other axis, or twice as large would not
   /// hold.
   bool tells = false;
+  double nearest = 0;    ///< of the numbers that it may be
+  double tolerance = 0;  ///< about that one
+  double ratio = 0;      ///< of the distance from it to the tolerance
   WitnessValue expected = {};
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/scene.h"
+#include "core/value_rule.h"
 
 namespace rasterproof::props {
 
@@ -35,6 +36,15 @@ inline double UlpOf(double value, Precision precision) {
   int exponent = 0;
   static_cast<void>(std::frexp(value, &exponent));
   return std::ldexp(1.0, std::max(exponent - (is_float ? 24 : 53), is_float ? -149 : -1074));
+}
+
+/// What a depth may be off by the rounding to its format: one step of it, or half; and what float32
+/// rounds if that is what it is shown in.
+inline double DepthRoundingOf(const ValueRule& rule, double x) {
+  const double share = rule.depth_rounding == DepthRounding::kNearest ? 0.5 : 1;
+  const double step = DepthStep(rule.depth);
+  const double shown = std::ldexp(std::fabs(x), rule.depth == DepthFormat::kFloat64 ? -52 : -24);
+  return step != 0 ? share * step + shown : 2 * share * shown;
 }
 
 }  // namespace rasterproof::props

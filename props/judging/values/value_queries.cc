@@ -11,6 +11,7 @@
 #include "props/judging/freedom/free_choices.h"
 #include "props/judging/freedom/outline.h"
 #include "props/judging/redraw.h"
+#include "props/judging/values/compared_numbers.h"
 #include "props/judging/values/exact_comparison.h"
 #include "props/judging/values/one_by_one.h"
 #include "props/judging/values/precision_units.h"
@@ -286,6 +287,21 @@ std::optional<ValueRange> RangeOf(const ShownValues& shown, const ValueFragment&
   return range;
 }
 
+ValueFragment FragmentAt(const PlacedCase& c, const SubjectInfo& info, const Drawing& drawing,
+                         std::size_t index, const std::vector<ValueOwners>* readings) {
+  ValueFragment f;
+  f.index = index;
+  f.triangle = drawing.primitive_ids[f.index];
+  f.vertices = c.scene.triangles[static_cast<std::size_t>(f.triangle)];
+  const Witness at = WitnessAtIndex(drawing.counts, f.index);
+  f.place = PlaceOf(c, at.x, at.y, at.sample);
+  f.reach = SampleReach(c.profile);
+  const Point2 location = c.profile.pattern.locations[static_cast<std::size_t>(at.sample)];
+  f.centre = {f.place.at.x - location.x + 0.5, f.place.at.y - location.y + 0.5};
+  f.readings = readings != nullptr ? *readings : ReadingsOf(c, info, f.vertices);
+  return f;
+}
+
 std::vector<ValueFragment> FragmentsOf(const PlacedCase& c, const SubjectInfo& info,
                                        const Drawing& drawing, FragmentChoice choice) {
   std::vector<std::size_t> covered;
@@ -308,16 +324,7 @@ std::vector<ValueFragment> FragmentsOf(const PlacedCase& c, const SubjectInfo& i
   const std::size_t most =
       choice == FragmentChoice::kOnTheFirstEdge ? kMostLookedAt : kMostValueFragments;
   for (std::size_t n = 0; n < covered.size(); n += covered.size() / most + 1) {
-    ValueFragment f;
-    f.index = covered[n];
-    f.triangle = drawing.primitive_ids[f.index];
-    f.vertices = c.scene.triangles[static_cast<std::size_t>(f.triangle)];
-    const Witness at = WitnessAtIndex(drawing.counts, f.index);
-    f.place = PlaceOf(c, at.x, at.y, at.sample);
-    f.reach = SampleReach(c.profile);
-    const Point2 location = c.profile.pattern.locations[static_cast<std::size_t>(at.sample)];
-    f.centre = {f.place.at.x - location.x + 0.5, f.place.at.y - location.y + 0.5};
-    f.readings = ReadingsOf(c, info, f.vertices);
+    ValueFragment f = FragmentAt(c, info, drawing, covered[n]);
     if (f.readings.empty()) continue;
     if (choice == FragmentChoice::kAtVertices && !IsAtACorner(f)) continue;
     if (choice == FragmentChoice::kOnTheFirstEdge && !IsOnTheFirstEdge(f)) continue;
@@ -454,8 +461,10 @@ Checks AskOf(const PlacedCase& c, const Description& subject, std::shared_ptr<co
                             c.scene.clip_space,
                             scene.get()};
     const std::vector<ValueFragment> some = FragmentsOf(c, subject.info, drawing, choice);
-    return OneByOne(some.size(),
-                    [&](std::size_t k) { return JudgeFragment(shown, some[k], judge); });
+    Verdict verdict =
+        OneByOne(some.size(), [&](std::size_t k) { return JudgeFragment(shown, some[k], judge); });
+    AddNumbersAround(c, subject.info, shown, verdict);
+    return verdict;
   });
 }
 
@@ -484,16 +493,6 @@ Checks AskFragmentValues(const PlacedCase& c, const Description& subject, const 
   ValueRule rule = c.profile.values;
   rule.error = {.absolute = wants.depths ? info.depth_error : info.barycentric_error};
   return AskOf(c, subject, std::move(scene), wants, rule, judge, FragmentChoice::kSome);
-}
-
-Verdict ValueViolation(const ValueFragment& f, const Channel& channel, const std::string& what,
-                       WitnessValue observed, WitnessValue expected) {
-  const std::array<double, 3> a = NumbersAt(f, channel);
-  return Verdict::Violated(
-      1,
-      "the value of channel \"" + channel.name + "\" " + what + ": vertices hold " + HexText(a[0]) +
-          ", " + HexText(a[1]) + ", " + HexText(a[2]) + ", the sample is at " + HexText(f.place.at),
-      WitnessAt(f.triangle, -1, f.place, std::move(observed), std::move(expected)));
 }
 
 }  // namespace rasterproof::props

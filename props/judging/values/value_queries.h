@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "core/channel.h"
+#include "core/compared_numbers.h"
 #include "core/drawing.h"
 #include "core/subject_info.h"
 #include "core/verdict.h"
+#include "core/witness.h"
 #include "exact/values.h"
 #include "props/judging/places.h"
 #include "props/judging/values/centroid_queries.h"
@@ -168,9 +170,18 @@ Checks AskFragmentValues(const PlacedCase& c, const Description& subject, const 
 /// first.
 Verdict JudgeFragment(const ShownValues& shown, const ValueFragment& f, ValueJudge judge);
 
-/// A violation at a fragment. `what` completes "the value ...".
+/// A covered sample of the drawing as a fragment of the case. `readings`: its triangle's, if known.
+ValueFragment FragmentAt(const PlacedCase& c, const SubjectInfo& info, const Drawing& drawing,
+                         std::size_t index, const std::vector<ValueOwners>* readings = nullptr);
+
+/// A violation at a fragment. `what` completes "the value ...". `kind` says which number failed;
+/// `to_the_bit`, that nothing is allowed.
 Verdict ValueViolation(const ValueFragment& f, const Channel& channel, const std::string& what,
-                       WitnessValue observed, WitnessValue expected);
+                       WitnessValue observed, WitnessValue expected,
+                       NumberKind kind = NumberKind::kValue, bool to_the_bit = false);
+
+/// A violation by a depth or a barycentric.
+Verdict NumberViolation(NumberKind kind, const std::string& what, Witness witness);
 
 }  // namespace rasterproof::props
 

@@ -35,8 +35,10 @@ Verdict JudgeBy(const ShownValues& shown, const ValueFragment& f, const ValueOwn
     const ValueCheck check = CheckValue(shown, f, owners, channel, kUnits[i], weights[i]);
     if (!check.is_judged) continue;
     if (!check.holds) {
-      return Verdict::Violated(
-          1, "a barycentric of a fragment in clip space is off by more than its error",
+      return NumberViolation(
+          plane == Interpolation::kLinear ? NumberKind::kScreenBarycentric
+                                          : NumberKind::kBarycentric,
+          "a barycentric of a fragment in clip space is off by more than its error",
           WitnessAt(f.triangle, static_cast<int>(i), f.place, Listed(weights), check.expected));
     }
     exercised += check.tells ? 1 : 0;

@@ -24,8 +24,9 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
   const ValueCheck check = CheckValue(shown, f, owners, channel, shown.DepthsOf(f), x);
   if (!check.is_judged) return Verdict::Held(0);
   if (check.holds) return Verdict::Held(check.tells ? 1 : 0, check.ratio);
-  return Verdict::Violated(1, "the depth of a fragment in clip space is off by more than its error",
-                           WitnessAt(f.triangle, -1, f.place, {x}, check.expected));
+  return NumberViolation(NumberKind::kDepth,
+                         "the depth of a fragment in clip space is off by more than its error",
+                         WitnessAt(f.triangle, -1, f.place, {x}, check.expected));
 }
 
 Checks Ask(const PlacedCase& c, const Description& subject) {

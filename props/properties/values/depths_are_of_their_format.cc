@@ -9,6 +9,7 @@
 #include "exact/values.h"
 #include "props/judging/values/exact_comparison.h"
 #include "props/judging/values/fragment_queries.h"
+#include "props/judging/values/precision_units.h"
 #include "props/judging/values/value_queries.h"
 #include "props/judging/witness.h"
 #include "props/placed_case.h"
@@ -33,20 +34,11 @@ bool IsOfTheFormat(double x, DepthFormat format) {
   return x == value || x == static_cast<double>(static_cast<float>(value));
 }
 
-// One step of the format, or half of it, beside what the depth may be off before it is rounded; and
-// what float32 rounds if that is what it is shown in.
-double RoundingOf(const ValueRule& rule, double x) {
-  const double share = rule.depth_rounding == DepthRounding::kNearest ? 0.5 : 1;
-  const double step = DepthStep(rule.depth);
-  const double shown = std::ldexp(std::fabs(x), rule.depth == DepthFormat::kFloat64 ? -52 : -24);
-  return step != 0 ? share * step + shown : 2 * share * shown;
-}
-
 Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwners& owners) {
   const double x = given.drawing.depths[f.index];
   if (!IsOfTheFormat(x, given.rule.depth)) {
-    return Verdict::Violated(1, "a depth is no number of the stated format",
-                             WitnessAt(f.triangle, -1, f.place, {x}, {"a number of the format"}));
+    return NumberViolation(NumberKind::kDepth, "a depth is no number of the stated format",
+                           WitnessAt(f.triangle, -1, f.place, {x}, {"a number of the format"}));
   }
   const std::array<double, 3> z = given.DepthsOf(f);
   const Channel channel{"depth",
@@ -57,7 +49,7 @@ Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwner
     range->low = std::clamp(range->low, 0.0, 1.0);
     range->high = std::clamp(range->high, 0.0, 1.0);
   }
-  range->tolerance += RoundingOf(given.rule, range->high);
+  range->tolerance += DepthRoundingOf(given.rule, range->high);
   if (!range->SurelyExcludes(x)) return Verdict::Held(1);
   if (owners.known) {  // an estimate acquits; only the exact depth convicts
     const auto depth = exact::Interpolant(*owners.known, f.place.at)
@@ -67,8 +59,8 @@ Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwner
         DepthStep(given.rule.depth) != 0 ? std::clamp<exact::Rational>(*depth, 0, 1) : *depth;
     if (CompareWithExact(x, clamped, range->tolerance).within) return Verdict::Held(1);
   }
-  return Verdict::Violated(
-      1, "a depth is not next to the exact one in the stated format",
+  return NumberViolation(
+      NumberKind::kDepth, "a depth is not next to the exact one in the stated format",
       WitnessAt(f.triangle, -1, f.place, {x}, {range->low, " within ", range->tolerance}));
 }
 

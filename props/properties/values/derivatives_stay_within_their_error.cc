@@ -1,5 +1,6 @@
 // The derivatives of a value are those of its plane, or the differences over a quad that the
 // subject states, within their error.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,6 +20,7 @@ namespace derivatives_stay_within_their_error {
 
 Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
   std::uint64_t exercised = 0;
+  double worst = 0;
   for (std::size_t k = 0; k < shown.channels.size(); ++k) {
     const Channel& channel = shown.channels[k];
     const bool is_flat = channel.interpolation == Interpolation::kFlat;
@@ -30,12 +32,13 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
       if (!check.holds) {
         return ValueViolation(
             f, channel, axis == 0 ? "has a wrong derivative by x" : "has a wrong derivative by y",
-            {x}, check.expected);
+            {x}, check.expected, axis == 0 ? NumberKind::kDerivativeX : NumberKind::kDerivativeY);
       }
       exercised += check.tells ? 1 : 0;
+      worst = std::max(worst, check.ratio);
     }
   }
-  return Verdict::Held(exercised);
+  return Verdict::Held(exercised, worst);
 }
 
 Checks Ask(const PlacedCase& c, const Description& subject) {

@@ -24,8 +24,9 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     if (!is_flat && !RangeOf(shown, f, owners, channel, NumbersAt(f, channel))) continue;
     ++exercised;
     const double x = shown.Of(f, k);
-    if (x != a[0])
-      return ValueViolation(f, channel, "is another than all its vertices'", {x}, {a[0]});
+    if (x == a[0]) continue;
+    return ValueViolation(f, channel, "is another than all its vertices'", {x}, {a[0]},
+                          NumberKind::kValue, /*to_the_bit=*/true);
   }
   return Verdict::Held(exercised);
 }

@@ -24,7 +24,8 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     exercised += a[0] != a[1] && a[1] != a[2] && a[2] != a[0] ? 1 : 0;
     const double x = shown.Of(f, k);
     if (x == a[provoking] || (std::isnan(x) && std::isnan(a[provoking]))) continue;
-    return ValueViolation(f, channel, "is not the provoking vertex's", {x}, {a[provoking]});
+    return ValueViolation(f, channel, "is not the provoking vertex's", {x}, {a[provoking]},
+                          NumberKind::kValue, /*to_the_bit=*/true);
   }
   return Verdict::Held(exercised);
 }

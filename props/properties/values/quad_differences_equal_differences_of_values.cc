@@ -13,6 +13,7 @@
 #include "core/scene.h"
 #include "core/value_rule.h"
 #include "props/judging/redraw.h"
+#include "props/judging/values/compared_numbers.h"
 #include "props/judging/values/derivative_queries.h"
 #include "props/judging/values/one_by_one.h"
 #include "props/judging/values/precision_units.h"
@@ -63,6 +64,10 @@ bool IsTheDifference(double shown, double to, double from, Precision precision) 
                                               3 * least_normal;
 }
 
+NumberKind KindOf(int axis) {
+  return axis == 0 ? NumberKind::kDerivativeX : NumberKind::kDerivativeY;
+}
+
 // A fine difference is that to the next pixel of the row (column), or from the one before.
 Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
   std::uint64_t exercised = 0;
@@ -88,7 +93,7 @@ Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
       return ValueViolation(f, channel,
                             axis == 0 ? "changes otherwise along x than its neighbours say"
                                       : "changes otherwise along y than its neighbours say",
-                            {x}, {next - here, " or ", here - previous});
+                            {x}, {next - here, " or ", here - previous}, KindOf(axis));
     }
   }
   return Verdict::Held(exercised);
@@ -126,11 +131,23 @@ Verdict JudgeAlignment(const Derivatives& d, const std::vector<ValueFragment>& f
         if (std::ranges::any_of(is_possible, std::identity())) continue;
         return ValueViolation(f, d.shown.channels[k],
                               "has derivatives that no division of the target into quads explains",
-                              {d.Of(f.index, k, axis)}, {"one for all pixels of a quad"});
+                              {d.Of(f.index, k, axis)}, {"one for all pixels of a quad"},
+                              KindOf(axis));
       }
     }
   }
   return Verdict::Held(0);
+}
+
+Verdict Judge(const PlacedCase& c, const SubjectInfo& info, const ShownValues& shown) {
+  const Derivatives d{shown, c};
+  const std::vector<ValueFragment> fragments =
+      FragmentsOf(c, info, shown.drawing, FragmentChoice::kSome);
+  Verdict alignment = JudgeAlignment(d, fragments);
+  if (alignment.outcome == Outcome::kViolated) return alignment;
+  if (shown.rule.derivatives != DerivativesBy::kFine)
+    return Verdict::Held(fragments.empty() ? 0 : 1);
+  return OneByOne(fragments.size(), [&](std::size_t k) { return JudgeFine(d, fragments[k]); });
 }
 
 Checks Ask(const PlacedCase& c, const Description& subject) {
@@ -139,19 +156,14 @@ Checks Ask(const PlacedCase& c, const Description& subject) {
   Questions questions;
   questions.draws.push_back(WholeCallOf(*scene, c.profile, c.options));
   questions.draws.back().job.wants = kValuesAndDerivatives;
-  return OneCheck(std::move(questions), [&c, &subject,
-                                         scene = std::move(scene)](const Answers& answers) {
-    const ShownValues shown{*answers.draws[0], scene->channels, c.profile.values,
-                            subject.info.input, c.profile.y_axis == YAxis::kUp};
-    const Derivatives d{shown, c};
-    const std::vector<ValueFragment> fragments =
-        FragmentsOf(c, subject.info, *answers.draws[0], FragmentChoice::kSome);
-    Verdict alignment = JudgeAlignment(d, fragments);
-    if (alignment.outcome == Outcome::kViolated) return alignment;
-    if (shown.rule.derivatives != DerivativesBy::kFine)
-      return Verdict::Held(fragments.empty() ? 0 : 1);
-    return OneByOne(fragments.size(), [&](std::size_t k) { return JudgeFine(d, fragments[k]); });
-  });
+  return OneCheck(std::move(questions),
+                  [&c, &subject, scene = std::move(scene)](const Answers& answers) {
+                    const ShownValues shown{*answers.draws[0], scene->channels, c.profile.values,
+                                            subject.info.input, c.profile.y_axis == YAxis::kUp};
+                    Verdict verdict = Judge(c, subject.info, shown);
+                    AddNumbersAround(c, subject.info, shown, verdict);
+                    return verdict;
+                  });
 }
 
 constexpr std::array kRules{

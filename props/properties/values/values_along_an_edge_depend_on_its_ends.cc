@@ -91,9 +91,9 @@ Verdict JudgePair(const Pair& pair, const Drawing& one, const Drawing& other,
       const double x = one.values[f.index * channels.size() + k];
       const double y = other.values[f.index * channels.size() + k];
       if (x == y) continue;
-      return OfDraw(
-          0, ValueViolation(f, channels[k],
-                            "depends on the third vertex at a sample of the first edge", {x}, {y}));
+      return OfDraw(0, ValueViolation(f, channels[k],
+                                      "depends on the third vertex at a sample of the first edge",
+                                      {x}, {y}, NumberKind::kValue, /*to_the_bit=*/true));
     }
   }
   return Verdict::Held(exercised);

@@ -34,7 +34,8 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     const auto [low, high] = std::minmax({a[0], a[1], a[2]});
     const double x = shown.Of(f, k);
     if (x >= low && x <= high) continue;
-    return ValueViolation(f, channel, "leaves the hull", {x}, {"between ", low, " and ", high});
+    return ValueViolation(f, channel, "leaves the hull", {x}, {"between ", low, " and ", high},
+                          NumberKind::kHeldValue, /*to_the_bit=*/true);
   }
   return Verdict::Held(exercised);
 }

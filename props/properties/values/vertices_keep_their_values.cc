@@ -38,7 +38,9 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     ++exercised;
     const double expected = NumbersAt(f, channel)[i];
     const double x = shown.Of(f, k);
-    if (x != expected) return ValueViolation(f, channel, "is not its vertex's", {x}, {expected});
+    if (x == expected) continue;
+    return ValueViolation(f, channel, "is not its vertex's", {x}, {expected}, NumberKind::kValue,
+                          /*to_the_bit=*/true);
   }
   return Verdict::Held(exercised);
 }

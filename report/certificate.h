@@ -55,6 +55,8 @@ struct Certificate {
   /// The command that replays a result's counterexample, by NameOf() the result. Read it with
   /// ReplayCommand(), which also serves results without an entry.
   std::map<std::string, std::string> replay;
+  /// What explains a violation, in words, by NameOf() the result; on the page alone.
+  std::map<std::string, std::string> causes = {};
   /// The name of the folder of its files, beside the report page. Empty if it has none.
   std::string folder;
 };

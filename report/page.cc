@@ -91,6 +91,7 @@ std::string PageToHtml(const Page& page) {
   if (page.bench) html += BenchSections(*page.bench, page.folder);
   html += Section("verdicts", "Verdicts", "A name leads to all that is known of the subject.",
                   VerdictGroups(page));
+  html += ValuesSection(page.certificates, page.value_methods);
   if (page.catalogue) html += CatalogueSection(*page.catalogue);
   html += page.surveys;
   html += Section("pictures", "Failures",

@@ -4,6 +4,7 @@
 #ifndef RASTERPROOF_REPORT_PAGE_H_
 #define RASTERPROOF_REPORT_PAGE_H_
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,19 @@ struct Picture {
   std::string content;  ///< SVG or PNG
 };
 
+/// A way of interpolating, with its bound and the largest error / bound, in float32 and float64.
+struct ValueMethodRow {
+  std::string name;
+  std::string computes;
+  std::array<double, 2> conditions{};
+  double a_step = 0;  ///< conditions more, for each step
+  double ulps = 0;    ///< the bound where it is in ulps
+  std::array<double, 2> largest{};
+  std::string promises;  ///< what holds to the bit
+  std::string proof;
+  std::optional<double> nanoseconds = std::nullopt;  ///< a covered pixel
+};
+
 struct Page {
   std::string title;
   /// True if every built-in method was certified: those that do not claim to be exact are then
@@ -34,7 +48,8 @@ struct Page {
   std::vector<Picture> pictures;
   std::optional<BenchResult> bench = std::nullopt;  ///< error against run time, before the verdicts
   std::optional<Catalogue> catalogue = std::nullopt;  ///< of stiff cases, after the verdicts
-  std::string surveys = {};                           ///< a SurveySection, after the catalogue
+  std::vector<ValueMethodRow> value_methods = {};
+  std::string surveys = {};    ///< a SurveySection, after the catalogue
   std::string folder = "out";  ///< where the page lies, as commands on it say
 };
 

@@ -63,6 +63,10 @@ std::string VerdictSentence(const Page& page);
 std::string VerdictGroups(const Page& page);
 /// A row per scene, and wrong samples of every subject on every scene.
 std::string SceneTables(const std::vector<Certificate>& certificates);
+/// What was found of values, by the questions that readers have; of subjects that show none, a
+/// line.
+std::string ValuesSection(const std::vector<Certificate>& certificates,
+                          const std::vector<ValueMethodRow>& methods);
 /// A row per property: how many subjects hold it, and which violate it.
 std::string PropertyTable(const std::vector<Certificate>& certificates);
 /// How many samples lay on an edge, and how near the others were.

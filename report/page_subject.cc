@@ -243,6 +243,7 @@ std::string SubjectPageToHtml(const Page& page, const Certificate& certificate) 
                   Failures(page, certificate));
   html += Section("quality", "Quality", "Violated, but no clause requires it: users want it.",
                   LacksOfQuality(page, certificate));
+  if (certificate.subject.fragments.shows_values) html += ValuesSection({certificate}, {});
   html += Section("scenes", "Scenes", "Every sample against the exact oracle.",
                   MeasuredTable(certificate));
   html += Section("properties", "Properties", "How often each was really put to the test.",

@@ -157,6 +157,12 @@ SubjectPart DescribePart(const SubjectInfo& info, const std::vector<std::string>
 /// Returns:    the exit status.
 int Certify(const CertifyOptions& options, const Source& source);
 
+/// The reference's ways of interpolating, for the page.
+std::vector<report::ValueMethodRow> ValueMethodRows();
+
+/// Adds to subjects that show values what explains their violations, if a mistake does.
+void ExplainValues(std::vector<report::Certificate>& certificates, Progress& progress);
+
 /// Pictures of real scenes, and of what every violated subject got wrong, for the page to show.
 ///
 /// Domain:     certificates that know their folders.

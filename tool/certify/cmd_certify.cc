@@ -391,6 +391,8 @@ int Certify(const CertifyOptions& options, const Source& source) {
       WriteCertificate(options.output, certificate);
     }
     if (failure) std::rethrow_exception(failure);
+    page.value_methods = ValueMethodRows();
+    if (!Interrupted()) ExplainValues(page.certificates, progress);
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);
   }
   if (options.catalogue) {

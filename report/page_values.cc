@@ -1,0 +1,192 @@
+// What the page says of values: three questions, each answered by the properties that decide it.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "fmt/format.h"
+#include "report/page_parts.h"
+#include "report/text.h"
+
+namespace rasterproof::report {
+namespace {
+
+struct Question {
+  std::string_view asks;
+  std::string_view reads;  // how the verdict is read
+  std::span<const std::string_view> properties;
+};
+
+constexpr auto kOfTrust = std::to_array<std::string_view>(
+    {"ValuesStayWithinTheirError", "EqualValuesStayEqual", "VerticesKeepTheirValues",
+     "ValuesStayInTheHull", "ValuesAlongAnEdgeDependOnItsEnds",
+     "FlatValuesComeFromTheProvokingVertex"});
+constexpr auto kOfSwimming = std::to_array<std::string_view>(
+    {"ValuesStayWithinTheirError", "ClipBarycentricsStayWithinTheirError",
+     "ClipDepthsStayWithinTheirError", "DepthsAreOfTheirFormat"});
+constexpr auto kOfSlopes = std::to_array<std::string_view>(
+    {"DerivativesStayWithinTheirError", "QuadDifferencesEqualDifferencesOfValues"});
+constexpr std::array<Question, 3> kQuestions{
+    {{"Which interpolation may I trust, at what cost?",
+      "A promise that is stated and holds may be built on; one that is not asked is not stated.",
+      kOfTrust},
+     {"My texture swims: weights or division?",
+      "The cause says which: affine or exchanged weights, weights by w, a division that is "
+      "missing. "
+      "Values that hold while barycentrics fail are the barycentrics' fault, and the other way "
+      "round.",
+      kOfSwimming},
+     {"Is my du/dx right?",
+      "The first property holds derivatives to the plane or the differences that are stated, the "
+      "second to the subject's own values.",
+      kOfSlopes}}};
+
+const PropertyResult* ResultOf(const Certificate& certificate, std::string_view property) {
+  const auto found = std::ranges::find_if(certificate.tested, [&](const PropertyResult& result) {
+    return result.property == property && result.world.empty();
+  });
+  return found == certificate.tested.end() ? nullptr : &*found;
+}
+
+// The largest error over what is allowed: of what held, and of the counterexample.
+std::string LargestRatio(const PropertyResult& result) {
+  double ratio = result.worst_ratio;
+  bool is_in_ulps = false;
+  if (result.counterexample) {
+    const auto& numbers = result.counterexample->verdict.numbers;
+    if (!numbers || numbers->list.empty()) return "";
+    ratio = std::max(ratio, std::fabs(numbers->list.front().off));
+    is_in_ulps = numbers->is_in_ulps;
+  }
+  if (ratio == 0) return "";
+  return fmt::format("{:.3g}{}", ratio, is_in_ulps ? " ulps of 0" : "");
+}
+
+// The cause, or what was not asked; else what the run said.
+std::string WordsOn(const Certificate& certificate, const PropertyResult& result) {
+  const auto cause = certificate.causes.find(NameOf(result));
+  if (cause != certificate.causes.end()) return cause->second;
+  if (result.outcome == Outcome::kNotApplicable) return "not asked: " + result.message;
+  return Said(result);
+}
+
+std::string RowsOf(const Certificate& certificate, const Question& question) {
+  std::string rows;
+  for (const std::string_view property : question.properties) {
+    const PropertyResult* const result = ResultOf(certificate, property);
+    if (result == nullptr) continue;
+    rows += fmt::format(
+        "<tr><th scope=\"row\">{}</th><td><span class=\"name\">{}</span></td><td>{}</td>"
+        "<td class=\"number\" title=\"{}\">{}</td><td class=\"remark\">{}</td></tr>\n",
+        Link(certificate), Breakable(property), Chip(certificate, *result),
+        Escaped(result->tolerance), LargestRatio(*result), Escaped(WordsOn(certificate, *result)));
+  }
+  return rows;
+}
+
+std::string Answers(const std::vector<const Certificate*>& subjects, const Question& question) {
+  std::string rows;
+  for (const Certificate* one : subjects) rows += RowsOf(*one, question);
+  if (rows.empty()) return "<p>None of the properties that decide it was asked.</p>\n";
+  return "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>subject</th><th>decided "
+         "by</th>"
+         "<th>verdict</th><th class=\"number\">error / allowed</th><th>cause, or what was said</th>"
+         "</tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
+std::string BoundText(const ValueMethodRow& row, std::size_t format) {
+  if (row.ulps != 0) return fmt::format("{} ulp", row.ulps);
+  return row.a_step == 0
+             ? fmt::format("{:.4g}", row.conditions[format])
+             : fmt::format("{:.4g} + {:.4g} a step", row.conditions[format], row.a_step);
+}
+
+std::string LargestText(double largest) {
+  return std::isnan(largest) ? "–" : fmt::format("{:.3f}", largest);
+}
+
+std::string MethodTable(const std::vector<ValueMethodRow>& methods) {
+  if (methods.empty()) return {};
+  const bool has_cost = std::ranges::any_of(
+      methods, [](const ValueMethodRow& row) { return row.nanoseconds.has_value(); });
+  std::string rows;
+  for (const ValueMethodRow& row : methods) {
+    rows += fmt::format(
+        "<tr><th scope=\"row\" class=\"name\">{}</th><td><code>{}</code></td>"
+        "<td class=\"number\">{}</td><td class=\"number\">{}</td>"
+        "<td class=\"number\">{}</td><td class=\"number\">{}</td><td>{}</td><td>{}</td>",
+        Escaped(row.name), Escaped(row.computes), BoundText(row, 0), LargestText(row.largest[0]),
+        BoundText(row, 1), LargestText(row.largest[1]), Escaped(row.promises), Escaped(row.proof));
+    if (has_cost) {
+      rows += row.nanoseconds ? fmt::format("<td class=\"number\">{:.3g}</td>", *row.nanoseconds)
+                              : "<td class=\"number none\">–</td>";
+    }
+    rows += "</tr>\n";
+  }
+  return Folded(
+      fmt::format("{} methods, each with its proved bound", methods.size()),
+      fmt::format(
+          "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>method</th>"
+          "<th>computes</th><th class=\"number\">bound, float32</th><th class=\"number\">largest / "
+          "bound</th><th class=\"number\">bound, float64</th><th class=\"number\">largest / "
+          "bound</th><th>to the bit</th><th>proof</th>{}</tr></thead><tbody>\n",
+          has_cost ? "<th class=\"number\">ns a pixel</th>" : "") +
+          rows + "</tbody></table></div>\n" +
+          ColumnKey({{"bound", "units of rounding times the condition, or ulps"},
+                     {"largest / bound", "the largest error that searches found, over the bound"},
+                     {"to the bit", "equal values stay equal, vertices keep theirs, the hull"}}),
+      true);
+}
+
+std::string NotAskedList(const std::vector<const Certificate*>& subjects) {
+  std::string items;
+  for (const Certificate* one : subjects) {
+    for (const Evidence& evidence : one->not_asked) {
+      const bool is_of_values = evidence.statement.find("values") != std::string::npos ||
+                                evidence.statement.find("derivatives") != std::string::npos ||
+                                evidence.statement.find("depth") != std::string::npos ||
+                                evidence.statement.find("barycentrics") != std::string::npos;
+      if (!is_of_values) continue;
+      items +=
+          fmt::format("<li>{}: {} <span class=\"why\">{}</span></li>\n", Escaped(one->subject.name),
+                      Escaped(evidence.statement), Escaped(evidence.by));
+    }
+  }
+  if (items.empty()) return {};
+  return "<h3>Not asked</h3>\n<ul class=\"plain\">\n" + items + "</ul>\n";
+}
+
+}  // namespace
+
+std::string ValuesSection(const std::vector<Certificate>& certificates,
+                          const std::vector<ValueMethodRow>& methods) {
+  std::vector<const Certificate*> subjects;
+  for (const Certificate& one : certificates) {
+    if (one.subject.fragments.shows_values) subjects.push_back(&one);
+  }
+  const std::size_t without = certificates.size() - subjects.size();
+  std::string html;
+  if (without != 0) {
+    html += fmt::format("<p class=\"why\">{} {} no values: nothing was asked of them.</p>\n",
+                        Several(without, "subject"), without == 1 ? "shows" : "show");
+  }
+  if (!subjects.empty()) {
+    for (const Question& question : kQuestions) {
+      html += fmt::format("<h3>{}</h3>\n<p>{}</p>\n", question.asks, question.reads);
+      html += Answers(subjects, question);
+      if (&question == &kQuestions.front()) html += MethodTable(methods);
+    }
+    html += NotAskedList(subjects);
+  }
+  return Section("values", "Values",
+                 "What covered samples hold: weights, attributes, depths and derivatives, each "
+                 "against the exact number.",
+                 html);
+}
+
+}  // namespace rasterproof::report

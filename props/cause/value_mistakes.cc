@@ -4,13 +4,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
 #include <utility>
 
+#include "core/value_rule.h"
 #include "props/cause/investigation.h"
+#include "props/cause/value_mistake_list.h"
 #include "props/judging/values/derivative_queries.h"
 #include "props/judging/values/precision_units.h"
 #include "props/judging/values/value_queries.h"
@@ -30,203 +31,78 @@ constexpr std::uint64_t kFirstTried = std::uint64_t{1} << 21;
 constexpr double kMistakeConditions = 2 * kUsualConditions;
 
 constexpr int kMostFewBits = 18;  // of float32's 24
-
-using Numbers = std::array<double, 3>;
-
-// One number that is shown, and what it is of.
-struct Shown {
-  const ShownValues& values;
-  const ValueFragment& f;
-  const ValueOwners& owners;
-  Channel channel;
-  Numbers numbers;
-  double x = 0;
-  int facing = 0;  // of the triangle on the screen
-  const RayCorners* other_corners = nullptr;
-};
-
-struct Mistake {
-  std::string_view name;
-  std::string what;
-  /// The number that a rasterizer with the mistake shows; nothing where it makes none.
-  std::function<std::optional<ValueEstimate>(const Shown&)> shows;
-  std::set<std::size_t> cases = {};  // with wrong numbers that it explains
-};
-
-Point2 PlaceOf(const Shown& s) { return PlaceOfValue(s.f, s.channel); }
-
-ValueEstimate Estimated(const Shown& s, Interpolation plane, const Numbers& a, Point2 p) {
-  return EstimateValue(s.owners.corners.front(), plane, a, p);
-}
-
-bool IsInterpolated(const Shown& s) { return s.channel.interpolation != Interpolation::kFlat; }
-
-// sum g_i a_i / sum g_i with g_i = beta_i w_i^power.
-ValueEstimate OfPower(const Shown& s, int power) {
-  const RayCorners& v = s.owners.corners.front();
-  const Numbers g = WeightsOfPower(v, power, PlaceOf(s));
-  const double sum = g[0] + g[1] + g[2];
-  ValueEstimate e = Estimated(s, Interpolation::kPerspective, s.numbers, PlaceOf(s));
-  e.value = (g[0] * s.numbers[0] + g[1] * s.numbers[1] + g[2] * s.numbers[2]) / sum;
-  const double size = std::fabs(g[0]) + std::fabs(g[1]) + std::fabs(g[2]);
-  e.condition *= 1 + size / std::fabs(sum);
-  return e;
-}
-
-void AddPlanes(std::vector<Mistake>& list) {
-  const auto plane = [](Interpolation stated, Interpolation taken) {
-    return [stated, taken](const Shown& s) -> std::optional<ValueEstimate> {
-      if (s.channel.interpolation != stated) return std::nullopt;
-      return Estimated(s, taken, s.numbers, PlaceOf(s));
-    };
-  };
-  list.push_back({"affine-weights", "interpolates on the screen what is in perspective",
-                  plane(Interpolation::kPerspective, Interpolation::kLinear)});
-  list.push_back({"affine-weights", "interpolates in perspective what is affine on the screen",
-                  plane(Interpolation::kLinear, Interpolation::kPerspective)});
-  list.push_back({"affine-weights", "interpolates depth in perspective",
-                  plane(Interpolation::kInverseW, Interpolation::kPerspective)});
-  list.push_back({"missing-division", "does not divide depth by w",
-                  plane(Interpolation::kInverseW, Interpolation::kLinear)});
-  list.push_back({"missing-division", "does not divide by the interpolated 1/w",
-                  plane(Interpolation::kPerspective, Interpolation::kInverseW)});
-  const auto power = [](int of) {
-    return [of](const Shown& s) -> std::optional<ValueEstimate> {
-      if (s.channel.interpolation != Interpolation::kPerspective) return std::nullopt;
-      return OfPower(s, of);
-    };
-  };
-  list.push_back({"weights-by-w", "divides weights by w twice", power(-1)});
-  list.push_back({"weights-by-w", "multiplies weights by w instead of dividing", power(2)});
-  list.push_back({"weights-by-w", "divides weights by w squared and by w", power(-2)});
-}
-
-void AddExchanges(std::vector<Mistake>& list) {
-  struct Order {
-    std::array<std::size_t, 3> of;
-    std::string_view what;
-  };
-  constexpr std::array<Order, 5> kOrders{{{{1, 0, 2}, "exchanges the first two weights"},
-                                          {{0, 2, 1}, "exchanges the last two weights"},
-                                          {{2, 1, 0}, "exchanges the first and the last weight"},
-                                          {{1, 2, 0}, "gives each weight to the next vertex"},
-                                          {{2, 0, 1}, "gives each weight to the vertex before"}}};
-  struct Side {
-    int facing;
-    std::string_view what;
-  };
-  constexpr std::array<Side, 3> kSides{{{0, ""}, {-1, " of back faces"}, {1, " of front faces"}}};
-  for (const Side& side : kSides) {
-    for (const Order& order : kOrders) {
-      list.push_back(
-          {"exchanged-weights", std::string(order.what).append(side.what),
-           [order, facing = side.facing](const Shown& s) -> std::optional<ValueEstimate> {
-             if (!IsInterpolated(s) || (facing != 0 && s.facing != facing)) return std::nullopt;
-             const Numbers& a = s.numbers;
-             return Estimated(s, s.channel.interpolation,
-                              {a[order.of[0]], a[order.of[1]], a[order.of[2]]}, PlaceOf(s));
-           }});
-    }
-  }
-}
-
-void AddPlaces(std::vector<Mistake>& list) {
-  const auto at = [](auto place) {
-    return [place](const Shown& s) -> std::optional<ValueEstimate> {
-      if (!IsInterpolated(s)) return std::nullopt;
-      return Estimated(s, s.channel.interpolation, s.numbers, place(s));
-    };
-  };
-  list.push_back({"wrong-place", "evaluates at the pixel's centre",
-                  at([](const Shown& s) { return s.f.centre; })});
-  struct Move {
-    Point2 by;
-    std::string_view what;
-  };
-  for (const Move& move :
-       {Move{{-0.5, -0.5}, "half a pixel towards the origin"},
-        Move{{0.5, 0.5}, "half a pixel away from the origin"},
-        Move{{-0.5, 0}, "half a pixel to the left"}, Move{{0.5, 0}, "half a pixel to the right"},
-        Move{{0, -0.5}, "half a pixel before the row"},
-        Move{{0, 0.5}, "half a pixel behind the row"}, Move{{1, 0}, "at the next pixel"},
-        Move{{-1, 0}, "at the pixel before"}, Move{{0, 1}, "in the next row"},
-        Move{{0, -1}, "in the row before"}}) {
-    list.push_back({"wrong-place", std::string("evaluates ").append(move.what),
-                    at([by = move.by](const Shown& s) {
-                      const Point2 p = PlaceOf(s);
-                      return Point2{p.x + by.x, p.y + by.y};
-                    })});
-  }
-  list.push_back(
-      {"other-corners", "interpolates between the other corners: given, not snapped, or snapped",
-       [](const Shown& s) -> std::optional<ValueEstimate> {
-         if (!IsInterpolated(s) || s.other_corners == nullptr) return std::nullopt;
-         return EstimateValue(*s.other_corners, s.channel.interpolation, s.numbers, PlaceOf(s));
-       }});
-}
-
-void AddFlat(std::vector<Mistake>& list) {
-  constexpr std::array<std::string_view, 3> kVertices{"first", "second", "last"};
-  for (std::size_t i = 0; i < 3; ++i) {
-    list.push_back(
-        {"wrong-provoking-vertex",
-         std::string("takes flat values from the ").append(kVertices[i]).append(" vertex"),
-         [i](const Shown& s) -> std::optional<ValueEstimate> {
-           if (IsInterpolated(s)) return std::nullopt;
-           return ValueEstimate{.value = s.numbers[i]};
-         }});
-  }
-  list.push_back({"wrong-provoking-vertex", "interpolates flat values",
-                  [](const Shown& s) -> std::optional<ValueEstimate> {
-                    if (IsInterpolated(s)) return std::nullopt;
-                    return Estimated(s, Interpolation::kPerspective, s.numbers, PlaceOf(s));
-                  }});
-}
-
-std::vector<Mistake> AllMistakes() {
-  std::vector<Mistake> list;
-  AddPlanes(list);
-  AddExchanges(list);
-  AddFlat(list);
-  AddPlaces(list);
-  return list;
-}
+constexpr std::string_view kDepthName = "depth";
 
 enum class Fit : std::uint8_t { kUnknown, kRight, kWrong };
 
+Point2 PlaceOfShown(const ShownNumber& s) { return PlaceOfValue(s.f, s.channel); }
+bool IsInterpolatedChannel(const ShownNumber& s) {
+  return s.channel.interpolation != Interpolation::kFlat;
+}
+
+DerivativeCheck CheckSlope(const ShownNumber& s) {
+  return CheckDerivative(s.values, s.f, s.owners, s.channel, s.axis, s.x);
+}
+
+// What the number may be; depths are clamped to their format, and rounded to it.
+std::optional<ValueRange> StatedRange(const ShownNumber& s) {
+  std::optional<ValueRange> range = RangeOf(s.values, s.f, s.owners, s.channel, s.numbers);
+  if (!range || s.channel.name != kDepthName || s.values.rule.depth == DepthFormat::kUnstated)
+    return range;
+  if (DepthStep(s.values.rule.depth) != 0) {
+    range->low = std::clamp(range->low, 0.0, 1.0);
+    range->high = std::clamp(range->high, 0.0, 1.0);
+  }
+  range->tolerance += DepthRoundingOf(s.values.rule, range->high);
+  return range;
+}
+
 // Whether the number is what is stated.
-Fit Stated(const Shown& s) {
-  if (s.channel.interpolation == Interpolation::kFlat) {
+Fit Stated(const ShownNumber& s) {
+  if (s.axis >= 0) {
+    const DerivativeCheck check = CheckSlope(s);
+    return !check.is_judged ? Fit::kUnknown : check.holds ? Fit::kRight : Fit::kWrong;
+  }
+  if (!IsInterpolatedChannel(s)) {
     const std::size_t k = s.values.rule.provoking == ProvokingVertex::kLast ? 2 : 0;
     return s.x == s.numbers[k] ? Fit::kRight : Fit::kWrong;
   }
-  const std::optional<ValueRange> range = RangeOf(s.values, s.f, s.owners, s.channel, s.numbers);
+  const std::optional<ValueRange> range = StatedRange(s);
   if (!range) return Fit::kUnknown;
   if (range->SurelyHolds(s.x)) return Fit::kRight;
   return range->SurelyExcludes(s.x) ? Fit::kWrong : Fit::kUnknown;
 }
 
-Fit ShownBy(const Mistake& mistake, const Shown& s, Fit stated) {
-  const std::optional<ValueEstimate> e = mistake.shows(s);
-  if (!e) return stated;  // there it does as is stated
-  if (!std::isfinite(e->value) || !std::isfinite(e->condition)) return Fit::kUnknown;
-  double tolerance =
-      kMistakeConditions * UnitRoundoff(s.values.precision) * (e->condition + std::fabs(e->value));
-  if (const auto range = RangeOf(s.values, s.f, s.owners, s.channel, s.numbers))
-    tolerance = std::max(tolerance, range->tolerance);
-  return std::fabs(s.x - e->value) <= tolerance ? Fit::kRight : Fit::kWrong;
+// The least that is allowed about any number that is made.
+double StatedTolerance(const ShownNumber& s) {
+  if (s.axis >= 0) return CheckSlope(s).tolerance;
+  const auto range = StatedRange(s);
+  return range ? range->tolerance : 0;
 }
 
-// What a search looks at.
-enum class NumbersOf : std::uint8_t { kChannels, kBarycentrics, kDepths };
+Fit ShownBy(const Mistake& mistake, const ShownNumber& s, Fit stated) {
+  const std::vector<MadeNumber> made = mistake.shows(s);
+  if (made.empty()) return stated;  // there it does as is stated
+  for (const MadeNumber& one : made) {
+    if (!std::isfinite(one.value) || !std::isfinite(one.condition)) return Fit::kUnknown;
+  }
+  const double least = StatedTolerance(s);
+  for (const MadeNumber& one : made) {
+    const double tolerance =
+        one.within.value_or(std::max(least, kMistakeConditions * UnitRoundoff(s.values.precision) *
+                                                (one.condition + std::fabs(one.value))));
+    if (std::fabs(s.x - one.value) <= tolerance) return Fit::kRight;
+  }
+  return Fit::kWrong;
+}
 
-// All numbers of one fragment. 1/w is left out: whether a mistake is in it, too, is another matter.
-std::vector<Shown> NumbersOfFragment(const ShownValues& values, const ValueFragment& f,
-                                     NumbersOf what) {
-  std::vector<Shown> list;
+// All numbers of one fragment. 1/w is another matter than the channels with numbers.
+std::vector<ShownNumber> NumbersOfFragment(const ShownValues& values, const ValueFragment& f,
+                                           NumbersOf what) {
+  std::vector<ShownNumber> list;
   const ValueOwners& owners = f.readings.front();
   if (what == NumbersOf::kDepths) {
-    const Channel channel{"depth", Interpolation::kInverseW};
+    const Channel channel{std::string(kDepthName), Interpolation::kInverseW};
     return {{values, f, owners, channel, values.DepthsOf(f), values.drawing.depths[f.index]}};
   }
   if (what == NumbersOf::kBarycentrics) {
@@ -234,7 +110,7 @@ std::vector<Shown> NumbersOfFragment(const ShownValues& values, const ValueFragm
     const Channel channel{"barycentric",
                           is_linear ? Interpolation::kLinear : Interpolation::kPerspective};
     for (std::size_t i = 0; i < 3; ++i) {
-      Numbers unit{};
+      VertexNumbers unit{};
       unit[i] = 1;
       list.push_back({values, f, owners, channel, unit, values.drawing.barycentrics[f.index][i]});
     }
@@ -242,9 +118,20 @@ std::vector<Shown> NumbersOfFragment(const ShownValues& values, const ValueFragm
   }
   for (std::size_t k = 0; k < values.channels.size(); ++k) {
     const Channel& channel = values.channels[k];
-    if (channel.interpolation == Interpolation::kInverseW || channel.at == EvaluatedAt::kCentroid)
+    const bool is_inverse = channel.interpolation == Interpolation::kInverseW;
+    if (channel.at == EvaluatedAt::kCentroid) continue;
+    ShownNumber s{values, f, owners, channel, NumbersAt(f, channel), values.Of(f, k)};
+    s.entry = k;
+    if (what != NumbersOf::kDerivatives) {
+      if (is_inverse == (what == NumbersOf::kInverseW)) list.push_back(s);
       continue;
-    list.push_back({values, f, owners, channel, NumbersAt(f, channel), values.Of(f, k)});
+    }
+    if (channel.interpolation == Interpolation::kFlat || channel.at != EvaluatedAt::kSample)
+      continue;
+    for (s.axis = 0; s.axis < 2; ++s.axis) {
+      s.x = values.DerivativesOf(f, k)[static_cast<std::size_t>(s.axis)];
+      list.push_back(s);
+    }
   }
   return list;
 }
@@ -252,7 +139,8 @@ std::vector<Shown> NumbersOfFragment(const ShownValues& values, const ValueFragm
 // The search: mistakes that no number has refuted yet.
 class Search {
  public:
-  Search(Subject& subject, NumbersOf what) : subject_(subject), what_(what), left_(AllMistakes()) {}
+  Search(Subject& subject, NumbersOf what)
+      : subject_(subject), what_(what), left_(MistakesOf(what)) {}
 
   void Compare(const Property& property, const Case& c, std::size_t number);
   bool IsOver() const { return is_stopped_; }
@@ -261,8 +149,8 @@ class Search {
  private:
   void CompareDrawing(const PlacedCase& placed, const DrawJob& job, const Drawing& drawing,
                       std::size_t number);
-  void CompareNumber(const Shown& s, std::size_t number);
-  void LookAtBits(const Shown& s);
+  void CompareNumber(const ShownNumber& s, std::size_t number);
+  void LookAtBits(const ShownNumber& s);
 
   bool HasThem(const Drawing& drawing) const;
 
@@ -289,15 +177,18 @@ int SignificantBits(double x) {
   return bits;
 }
 
-void Search::LookAtBits(const Shown& s) {
-  if (!IsInterpolated(s) || !std::isfinite(s.x) || std::ranges::count(s.numbers, s.x) != 0) return;
-  const double value = Estimated(s, s.channel.interpolation, s.numbers, PlaceOf(s)).value;
+void Search::LookAtBits(const ShownNumber& s) {
+  if (!IsInterpolatedChannel(s) || !std::isfinite(s.x) || std::ranges::count(s.numbers, s.x) != 0)
+    return;
+  const ValueEstimate e =
+      EstimateValue(s.owners.corners.front(), s.channel.interpolation, s.numbers, PlaceOfShown(s));
+  const double value = s.axis < 0 ? e.value : e.derivatives[static_cast<std::size_t>(s.axis)];
   if (!std::isfinite(value) || value == 0) return;
   most_bits_ = std::max(most_bits_, SignificantBits(s.x));
   most_off_ = std::max(most_off_, std::fabs(s.x / value - 1));
 }
 
-void Search::CompareNumber(const Shown& s, std::size_t number) {
+void Search::CompareNumber(const ShownNumber& s, std::size_t number) {
   const Fit stated = Stated(s);
   if (stated == Fit::kUnknown) return;
   ++numbers_;
@@ -326,7 +217,7 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
                             std::size_t number) {
   const SubjectInfo& info = subject_.Info();
   ValueRule rule = placed.profile.values;
-  if (what_ != NumbersOf::kChannels)
+  if (what_ == NumbersOf::kDepths || what_ == NumbersOf::kBarycentrics)
     rule.error = {.absolute = what_ == NumbersOf::kDepths ? info.fragments.depth_error
                                                           : info.fragments.barycentric_error};
   const ShownValues values{drawing,
@@ -343,7 +234,7 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
     if (f.readings.size() != 1 || !f.readings.front().known) continue;
     const auto same = std::ranges::find(others, f.index, &ValueFragment::index);
     const int facing = placed.facings[static_cast<std::size_t>(f.triangle)] > 0 ? 1 : -1;
-    for (Shown& s : NumbersOfFragment(values, f, what_)) {
+    for (ShownNumber& s : NumbersOfFragment(values, f, what_)) {
       s.facing = facing;
       if (same != others.end() && same->readings.size() == 1)
         s.other_corners = &same->readings.front().corners.front();
@@ -354,7 +245,9 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
 
 bool Search::HasThem(const Drawing& drawing) const {
   if (drawing.primitive_ids.empty()) return false;
-  if (what_ == NumbersOf::kChannels) return !drawing.values.empty();
+  if (what_ == NumbersOf::kDerivatives) return !drawing.derivatives.empty();
+  if (what_ == NumbersOf::kChannels || what_ == NumbersOf::kInverseW)
+    return !drawing.values.empty();
   return what_ == NumbersOf::kDepths ? !drawing.depths.empty() : !drawing.barycentrics.empty();
 }
 
@@ -427,12 +320,18 @@ ValueMistake FindIn(NumbersOf what, Subject& subject, const FailedProperty& fail
 
 }  // namespace
 
-// A depth that does not follow from barycentrics may be right, and they wrong.
+// A derivative that is not the plane's may be right, and the value wrong; a depth that does not
+// follow from barycentrics, and they.
 ValueMistake FindValueMistake(Subject& subject, const FailedProperty& failure, double seconds) {
   const Shows shows = failure.property->gate.shows;
   if (shows == Shows::kFragments)
     return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);
-  if (shows != Shows::kDepths) return FindIn(NumbersOf::kChannels, subject, failure, seconds);
+  if (shows != Shows::kDepths) {
+    ValueMistake of_values = FindIn(NumbersOf::kChannels, subject, failure, seconds);
+    if (of_values.wrong != 0) return of_values;
+    return FindIn(shows == Shows::kDerivatives ? NumbersOf::kDerivatives : NumbersOf::kInverseW,
+                  subject, failure, seconds);
+  }
   ValueMistake of_depths = FindIn(NumbersOf::kDepths, subject, failure, seconds);
   if (of_depths.wrong != 0) return of_depths;
   return FindIn(NumbersOf::kBarycentrics, subject, failure, seconds);

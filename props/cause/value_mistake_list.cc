@@ -1,0 +1,435 @@
+#include "props/cause/value_mistake_list.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/scene.h"
+#include "core/value_rule.h"
+#include "props/judging/values/precision_units.h"
+
+namespace rasterproof::props {
+namespace {
+
+using Made = std::vector<MadeNumber>;
+
+Point2 PlaceOf(const ShownNumber& s) { return PlaceOfValue(s.f, s.channel); }
+
+MadeNumber Estimated(const RayCorners& v, Interpolation plane, const VertexNumbers& a, Point2 p) {
+  const ValueEstimate e = EstimateValue(v, plane, a, p);
+  return {e.value, e.condition};
+}
+
+MadeNumber Estimated(const ShownNumber& s, Interpolation plane, const VertexNumbers& a, Point2 p) {
+  return Estimated(s.owners.corners.front(), plane, a, p);
+}
+
+bool IsInterpolated(const ShownNumber& s) {
+  return s.channel.interpolation != Interpolation::kFlat;
+}
+
+// sum g_i a_i / sum g_i.
+MadeNumber WeighedBy(const ShownNumber& s, const VertexNumbers& g) {
+  const double sum = g[0] + g[1] + g[2];
+  MadeNumber e = Estimated(s, Interpolation::kPerspective, s.numbers, PlaceOf(s));
+  e.value = (g[0] * s.numbers[0] + g[1] * s.numbers[1] + g[2] * s.numbers[2]) / sum;
+  const double size = std::fabs(g[0]) + std::fabs(g[1]) + std::fabs(g[2]);
+  e.condition *= 1 + size / std::fabs(sum);
+  return e;
+}
+
+MadeNumber OfPower(const ShownNumber& s, int power) {
+  return WeighedBy(s, WeightsOfPower(s.owners.corners.front(), power, PlaceOf(s)));
+}
+
+MadeNumber OfAbsoluteW(const ShownNumber& s) {
+  const RayCorners& v = s.owners.corners.front();
+  VertexNumbers g = WeightsOfPower(v, 0, PlaceOf(s));
+  for (std::size_t i = 0; i < 3; ++i) g[i] *= v[i].w < 0 ? -1 : 1;
+  return WeighedBy(s, g);
+}
+
+void AddPlanes(std::vector<Mistake>& list) {
+  const auto plane = [](Interpolation stated, Interpolation taken) {
+    return [stated, taken](const ShownNumber& s) -> Made {
+      if (s.channel.interpolation != stated) return {};
+      return {Estimated(s, taken, s.numbers, PlaceOf(s))};
+    };
+  };
+  list.push_back({"affine-weights", "interpolates on the screen what is in perspective",
+                  plane(Interpolation::kPerspective, Interpolation::kLinear)});
+  list.push_back({"affine-weights", "interpolates in perspective what is affine on the screen",
+                  plane(Interpolation::kLinear, Interpolation::kPerspective)});
+  list.push_back({"affine-weights", "interpolates depth in perspective",
+                  plane(Interpolation::kInverseW, Interpolation::kPerspective)});
+  list.push_back({"missing-division", "does not divide depth by w",
+                  plane(Interpolation::kInverseW, Interpolation::kLinear)});
+  list.push_back({"missing-division", "does not divide by the interpolated 1/w",
+                  plane(Interpolation::kPerspective, Interpolation::kInverseW)});
+  const auto power = [](int of) {
+    return [of](const ShownNumber& s) -> Made {
+      if (s.channel.interpolation != Interpolation::kPerspective) return {};
+      return {OfPower(s, of)};
+    };
+  };
+  list.push_back({"weights-by-w", "takes |w| for w", [](const ShownNumber& s) -> Made {
+                    if (s.channel.interpolation != Interpolation::kPerspective) return {};
+                    return {OfAbsoluteW(s)};
+                  }});
+  list.push_back({"weights-by-w", "divides weights by w twice", power(-1)});
+  list.push_back({"weights-by-w", "multiplies weights by w instead of dividing", power(2)});
+  list.push_back({"weights-by-w", "divides weights by w squared and by w", power(-2)});
+}
+
+void AddExchanges(std::vector<Mistake>& list) {
+  struct Order {
+    std::array<std::size_t, 3> of;
+    std::string_view what;
+  };
+  constexpr std::array<Order, 5> kOrders{{{{1, 0, 2}, "exchanges the first two weights"},
+                                          {{0, 2, 1}, "exchanges the last two weights"},
+                                          {{2, 1, 0}, "exchanges the first and the last weight"},
+                                          {{1, 2, 0}, "gives each weight to the next vertex"},
+                                          {{2, 0, 1}, "gives each weight to the vertex before"}}};
+  struct Side {
+    int facing;
+    std::string_view what;
+  };
+  constexpr std::array<Side, 3> kSides{{{0, ""}, {-1, " of back faces"}, {1, " of front faces"}}};
+  for (const Side& side : kSides) {
+    for (const Order& order : kOrders) {
+      list.push_back({"exchanged-weights", std::string(order.what).append(side.what),
+                      [order, facing = side.facing](const ShownNumber& s) -> Made {
+                        if (!IsInterpolated(s) || (facing != 0 && s.facing != facing)) return {};
+                        const VertexNumbers& a = s.numbers;
+                        return {Estimated(s, s.channel.interpolation,
+                                          {a[order.of[0]], a[order.of[1]], a[order.of[2]]},
+                                          PlaceOf(s))};
+                      }});
+    }
+  }
+}
+
+void AddPlaces(std::vector<Mistake>& list) {
+  const auto at = [](auto place) {
+    return [place](const ShownNumber& s) -> Made {
+      if (!IsInterpolated(s)) return {};
+      return {Estimated(s, s.channel.interpolation, s.numbers, place(s))};
+    };
+  };
+  list.push_back({"wrong-place", "evaluates at the pixel's centre",
+                  at([](const ShownNumber& s) { return s.f.centre; })});
+  struct Move {
+    Point2 by;
+    std::string_view what;
+  };
+  for (const Move& move :
+       {Move{{-0.5, -0.5}, "half a pixel towards the origin"},
+        Move{{0.5, 0.5}, "half a pixel away from the origin"},
+        Move{{-0.5, 0}, "half a pixel to the left"}, Move{{0.5, 0}, "half a pixel to the right"},
+        Move{{0, -0.5}, "half a pixel before the row"},
+        Move{{0, 0.5}, "half a pixel behind the row"}, Move{{1, 0}, "at the next pixel"},
+        Move{{-1, 0}, "at the pixel before"}, Move{{0, 1}, "in the next row"},
+        Move{{0, -1}, "in the row before"}}) {
+    list.push_back({"wrong-place", std::string("evaluates ").append(move.what),
+                    at([by = move.by](const ShownNumber& s) {
+                      const Point2 p = PlaceOf(s);
+                      return Point2{p.x + by.x, p.y + by.y};
+                    })});
+  }
+  list.push_back(
+      {"other-corners", "interpolates between the other corners: given, not snapped, or snapped",
+       [](const ShownNumber& s) -> Made {
+         if (!IsInterpolated(s) || s.other_corners == nullptr) return {};
+         return {Estimated(*s.other_corners, s.channel.interpolation, s.numbers, PlaceOf(s))};
+       }});
+}
+
+void AddFlat(std::vector<Mistake>& list) {
+  constexpr std::array<std::string_view, 3> kVertices{"first", "second", "last"};
+  for (std::size_t i = 0; i < 3; ++i) {
+    list.push_back(
+        {"wrong-provoking-vertex",
+         std::string("takes flat values from the ").append(kVertices[i]).append(" vertex"),
+         [i](const ShownNumber& s) -> Made {
+           if (IsInterpolated(s)) return {};
+           return {{s.numbers[i]}};
+         }});
+  }
+  list.push_back(
+      {"wrong-provoking-vertex", "interpolates flat values", [](const ShownNumber& s) -> Made {
+         if (IsInterpolated(s)) return {};
+         return {Estimated(s, Interpolation::kPerspective, s.numbers, PlaceOf(s))};
+       }});
+}
+
+// 1 over the interpolated 1/w.
+MadeNumber WAt(const ShownNumber& s, Point2 p) {
+  const MadeNumber over = Estimated(s, Interpolation::kInverseW, {1, 1, 1}, p);
+  return {1 / over.value, over.condition / (over.value * over.value)};
+}
+
+// What is shown is not what was asked for.
+void AddQuantities(std::vector<Mistake>& list) {
+  list.push_back({"clamped-values", "clamps values to [0, 1]", [](const ShownNumber& s) -> Made {
+                    if (!IsInterpolated(s)) return {};
+                    MadeNumber made = Estimated(s, s.channel.interpolation, s.numbers, PlaceOf(s));
+                    made.value = std::clamp(made.value, 0.0, 1.0);
+                    return {made};
+                  }});
+  list.push_back({"subnormals", "flushes values to zero", [](const ShownNumber& s) -> Made {
+                    const double least = LeastNormal(s.values.precision);
+                    if (!IsInterpolated(s)) return {};
+                    const MadeNumber made =
+                        Estimated(s, s.channel.interpolation, s.numbers, PlaceOf(s));
+                    if (std::fabs(made.value) < least) return {{0, 0, 0.0}};
+                    return {};
+                  }});
+  for (const int by : {1, -1}) {
+    list.push_back({"wrong-quantity",
+                    by > 0 ? "shows the next channel's values" : "shows the channel before",
+                    [by](const ShownNumber& s) -> Made {
+                      const std::vector<Channel>& all = s.values.channels;
+                      const std::size_t other =
+                          (s.entry + all.size() + static_cast<std::size_t>(by)) % all.size();
+                      const Channel& channel = all[other];
+                      const VertexNumbers a = NumbersAt(s.f, channel);
+                      if (channel.interpolation == Interpolation::kFlat) {
+                        const bool is_last = s.values.rule.provoking == ProvokingVertex::kLast;
+                        return {{a[is_last ? 2 : 0], 0}};
+                      }
+                      return {Estimated(s, channel.interpolation, a, PlaceOfValue(s.f, channel))};
+                    }});
+  }
+}
+
+void AddInverses(std::vector<Mistake>& list) {
+  list.push_back({"wrong-quantity", "shows w where 1/w is asked for",
+                  [](const ShownNumber& s) -> Made { return {WAt(s, PlaceOf(s))}; }});
+  list.push_back({"affine-weights", "interpolates w on the screen, and shows 1 over it",
+                  [](const ShownNumber& s) -> Made {
+                    const RayCorners& v = s.owners.corners.front();
+                    const MadeNumber w =
+                        Estimated(s, Interpolation::kLinear, {v[0].w, v[1].w, v[2].w}, PlaceOf(s));
+                    return {{1 / w.value, w.condition / (w.value * w.value)}};
+                  }});
+}
+
+MadeNumber DepthOf(const ShownNumber& s) {
+  return Estimated(s, Interpolation::kInverseW, s.numbers, PlaceOf(s));
+}
+
+// Of a depth in [0, 1]: `times` it and `plus`.
+void AddDepthMap(std::vector<Mistake>& list, std::string what, double times, double plus) {
+  list.push_back({"depth-range", std::move(what), [times, plus](const ShownNumber& s) -> Made {
+                    MadeNumber z = DepthOf(s);
+                    z.value = times * z.value + plus;
+                    return {z};
+                  }});
+}
+
+// A depth that is rounded to a multiple of `step`; not known where it may be either of two.
+Made RoundedDepth(const ShownNumber& s, double step, bool is_floor) {
+  const MadeNumber z = DepthOf(s);
+  const double codes = std::clamp(z.value, 0.0, 1.0) / step;
+  const double shift = is_floor ? 0 : 0.5;
+  const double code = std::floor(codes + shift);
+  const double part = codes + shift - code;
+  // A depth of floats may be off by a step: then nothing is told by its last code.
+  const double margin = (kUsualConditions * UnitRoundoff(s.values.precision) * z.condition +
+                         s.values.rule.error.absolute) /
+                        step;
+  const bool is_certain = s.values.rule.error.IsStated()
+                              ? std::min(part, 1 - part) > s.values.rule.error.absolute / step
+                              : std::min(part, 1 - part) > margin;
+  if (!is_certain) return {{std::nan(""), 0}};
+  return {{code * step, 0, std::ldexp(std::fabs(code * step), -24)}};
+}
+
+void AddDepths(std::vector<Mistake>& list) {
+  list.push_back({"wrong-quantity", "shows w where a depth is asked for",
+                  [](const ShownNumber& s) -> Made { return {WAt(s, PlaceOf(s))}; }});
+  AddDepthMap(list, "maps depths from [0, 1] to [-1, 1]", 2, -1);
+  AddDepthMap(list, "maps depths from [-1, 1] to [0, 1]", 0.5, 0.5);
+  AddDepthMap(list, "shows 1 - z", -1, 1);
+  list.push_back(
+      {"depth-range", "does not clamp depths to [0, 1]", [](const ShownNumber& s) -> Made {
+         const MadeNumber z = DepthOf(s);
+         if (z.value >= 0 && z.value <= 1) return {};
+         return {z};
+       }});
+  list.push_back({"depth-rounding", "rounds depths down", [](const ShownNumber& s) -> Made {
+                    const double step = DepthStep(s.values.rule.depth);
+                    return step != 0 ? RoundedDepth(s, step, true) : Made();
+                  }});
+  for (const auto& [bits, most] : {std::pair(16, 0xffff), std::pair(24, 0xffffff)}) {
+    list.push_back({"depth-rounding",
+                    std::string("keeps depths in ").append(std::to_string(bits)).append(" bits"),
+                    [step = 1.0 / most](const ShownNumber& s) -> Made {
+                      return step != DepthStep(s.values.rule.depth) ? RoundedDepth(s, step, false)
+                                                                    : Made();
+                    }});
+    list.push_back(
+        {"depth-rounding",
+         std::string("rounds depths to multiples of 2^-").append(std::to_string(bits)),
+         [bits](const ShownNumber& s) { return RoundedDepth(s, std::ldexp(1.0, -bits), false); }});
+  }
+}
+
+Point2 Moved(Point2 p, int axis, double by) {
+  return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
+}
+
+MadeNumber Slope(const ShownNumber& s, Interpolation plane, const VertexNumbers& a, Point2 p,
+                 int axis) {
+  const ValueEstimate e = EstimateValue(s.owners.corners.front(), plane, a, p);
+  const auto k = static_cast<std::size_t>(axis);
+  return {e.derivatives[k], e.derivative_conditions[k]};
+}
+
+MadeNumber SlopeAt(const ShownNumber& s, Point2 p, int axis) {
+  return Slope(s, s.channel.interpolation, s.numbers, p, axis);
+}
+
+// From one point to another, in pixels along the axis from the place moved across it.
+MadeNumber DifferenceOf(const ShownNumber& s, double from, double to, double across = 0) {
+  const Point2 p = Moved(PlaceOf(s), 1 - s.axis, across);
+  const auto at = [&](double by) {
+    return Estimated(s, s.channel.interpolation, s.numbers, Moved(p, s.axis, by));
+  };
+  const MadeNumber first = at(from), last = at(to);
+  return {last.value - first.value, first.condition + last.condition};
+}
+
+// The derivatives that may be meant: of the plane, or to the next pixel and from the one before.
+Made SlopesOf(const ShownNumber& s) {
+  const DerivativesBy by = s.values.rule.derivatives;
+  if (by == DerivativesBy::kAnalytic) return {SlopeAt(s, PlaceOf(s), s.axis)};
+  if (by == DerivativesBy::kUnstated) return {{std::nan(""), 0}};
+  Made made{DifferenceOf(s, 0, 1), DifferenceOf(s, -1, 0)};
+  if (by != DerivativesBy::kCoarse) return made;
+  for (const double across : {-1.0, 1.0}) {
+    made.push_back(DifferenceOf(s, 0, 1, across));
+    made.push_back(DifferenceOf(s, -1, 0, across));
+  }
+  return made;
+}
+
+Made ScaledSlopes(const ShownNumber& s, double by) {
+  Made made = SlopesOf(s);
+  for (MadeNumber& one : made) {
+    one.value *= by;
+    one.condition *= std::fabs(by);
+  }
+  return made;
+}
+
+void AddScales(std::vector<Mistake>& list) {
+  struct Scale {
+    double by;
+    int axis;  // -1: both
+    std::string_view what;
+  };
+  for (const Scale& scale :
+       {Scale{2, -1, "shows derivatives twice as large"},
+        Scale{0.5, -1, "shows derivatives half as large"}, Scale{-1, 0, "negates derivatives by x"},
+        Scale{-1, 1, "negates derivatives by y"}, Scale{-1, -1, "negates derivatives"}}) {
+    list.push_back({"wrong-derivative", std::string(scale.what),
+                    [by = scale.by, axis = scale.axis](const ShownNumber& s) -> Made {
+                      if (axis >= 0 && axis != s.axis) return {};
+                      return ScaledSlopes(s, by);
+                    }});
+  }
+  list.push_back({"wrong-derivative", "negates some differences", [](const ShownNumber& s) -> Made {
+                    Made made = SlopesOf(s);
+                    for (const MadeNumber& one : ScaledSlopes(s, -1)) made.push_back(one);
+                    return made;
+                  }});
+  list.push_back(
+      {"wrong-derivative", "exchanges derivatives by x and by y", [](const ShownNumber& s) -> Made {
+         ShownNumber other = s;
+         other.axis = 1 - s.axis;
+         return SlopesOf(other);
+       }});
+}
+
+void AddSlopePlanes(std::vector<Mistake>& list) {
+  list.push_back(
+      {"wrong-derivative", "derives the plane on the screen", [](const ShownNumber& s) -> Made {
+         if (s.channel.interpolation != Interpolation::kPerspective) return {};
+         return {Slope(s, Interpolation::kLinear, s.numbers, PlaceOf(s), s.axis)};
+       }});
+  list.push_back(
+      {"wrong-derivative", "leaves out the derivative of 1/w", [](const ShownNumber& s) -> Made {
+         if (s.channel.interpolation != Interpolation::kPerspective) return {};
+         MadeNumber slope = Slope(s, Interpolation::kInverseW, s.numbers, PlaceOf(s), s.axis);
+         const MadeNumber w = WAt(s, PlaceOf(s));
+         slope.condition =
+             std::fabs(w.value) * slope.condition + std::fabs(slope.value) * w.condition;
+         slope.value *= w.value;
+         return {slope};
+       }});
+  list.push_back({"wrong-derivative", "derives at the pixel before in the last column",
+                  [](const ShownNumber& s) -> Made {
+                    const int width = s.values.scene->width;
+                    if (s.f.place.x == 0 || s.f.place.x != width - 1) return {};
+                    return {SlopeAt(s, Moved(PlaceOf(s), 0, -1), s.axis)};
+                  }});
+}
+
+void AddDifferences(std::vector<Mistake>& list) {
+  const auto add = [&](std::string what, auto made) {
+    list.push_back({"wrong-derivative", std::move(what), made});
+  };
+  add("takes differences for derivatives of the plane",
+      [](const ShownNumber& s) -> Made { return {DifferenceOf(s, 0, 1), DifferenceOf(s, -1, 0)}; });
+  add("takes differences over two pixels", [](const ShownNumber& s) -> Made {
+    MadeNumber made = DifferenceOf(s, -1, 1);
+    made.value /= 2;
+    return {made};
+  });
+  add("takes a quad's first row and column for all of it", [](const ShownNumber& s) -> Made {
+    Made made;
+    for (const double across : {0.0, -1.0, 1.0}) {
+      made.push_back(DifferenceOf(s, 0, 1, across));
+      made.push_back(DifferenceOf(s, -1, 0, across));
+    }
+    return made;
+  });
+  add("takes derivatives by x of the quad beside", [](const ShownNumber& s) -> Made {
+    if (s.axis == 1) return {};
+    return {DifferenceOf(s, 1, 2), DifferenceOf(s, 2, 3), DifferenceOf(s, -2, -1),
+            DifferenceOf(s, -3, -2)};
+  });
+}
+
+}  // namespace
+
+std::vector<Mistake> MistakesOf(NumbersOf what) {
+  std::vector<Mistake> list;
+  if (what == NumbersOf::kDerivatives) {
+    AddScales(list);
+    AddSlopePlanes(list);
+    AddDifferences(list);
+    return list;
+  }
+  AddPlanes(list);
+  if (what == NumbersOf::kInverseW) {
+    AddInverses(list);
+    return list;
+  }
+  AddExchanges(list);
+  AddFlat(list);
+  AddPlaces(list);
+  if (what == NumbersOf::kDepths) AddDepths(list);
+  if (what == NumbersOf::kChannels) AddQuantities(list);
+  return list;
+}
+
+}  // namespace rasterproof::props

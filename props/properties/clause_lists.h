@@ -51,8 +51,6 @@ inline constexpr auto kFacingClauses = std::to_array<std::string_view>(
     {"gl.facing", "vulkan.facing", "d3d11.cull-after-snap", "webgpu.facing"});
 inline constexpr auto kCentroidClauses = std::to_array<std::string_view>(
     {"gl.centroid", "vulkan.centroid", "d3d11.centroid", "webgpu.centroid"});
-inline constexpr auto kBarycentricClauses =
-    std::to_array<std::string_view>({"gl.barycentric", "vulkan.barycentric"});
 // Where the subject states its error: of exact barycentrics all four speak.
 inline constexpr auto kBarycentricErrorClauses = std::to_array<std::string_view>(
     {"gl.barycentric", "vulkan.barycentric", "d3d11.interpolator", "webgpu.barycentric"});

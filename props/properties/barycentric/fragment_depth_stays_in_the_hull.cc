@@ -41,7 +41,7 @@ extern constinit const Property kFragmentDepthStaysInTheHull{
     .name = "FragmentDepthStaysInTheHull",
     .group = "barycentric",
     .clause = "Inside, a depth is a convex combination of the vertices' depths.",
-    .required_by = kBarycentricClauses,
+    .required_with_error = kDepthErrorClauses,
     .tolerance = kDepthTolerance,
     .domains = kFragments,
     .gate = Where(kAsksDepths, "samples in the closed triangle of the vertices that it names"),

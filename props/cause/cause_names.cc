@@ -50,6 +50,11 @@ std::vector<std::string_view> CauseNames() {
           "wrong-provoking-vertex",
           "wrong-place",
           "other-corners",
+          "wrong-derivative",
+          "wrong-quantity",
+          "clamped-values",
+          "depth-range",
+          "depth-rounding",
           "none"};
 }
 

@@ -178,7 +178,10 @@ MadeNumber WAt(const ShownNumber& s, Point2 p) {
 // What is shown is not what was asked for.
 void AddQuantities(std::vector<Mistake>& list) {
   list.push_back({"clamped-values", "clamps values to [0, 1]", [](const ShownNumber& s) -> Made {
-                    if (!IsInterpolated(s)) return {};
+                    if (!IsInterpolated(s)) {
+                      const bool is_last = s.values.rule.provoking == ProvokingVertex::kLast;
+                      return {{std::clamp(s.numbers[is_last ? 2 : 0], 0.0, 1.0), 0, 0.0}};
+                    }
                     MadeNumber made = Estimated(s, s.channel.interpolation, s.numbers, PlaceOf(s));
                     made.value = std::clamp(made.value, 0.0, 1.0);
                     return {made};
@@ -234,22 +237,40 @@ void AddDepthMap(std::vector<Mistake>& list, std::string what, double times, dou
                   }});
 }
 
-// A depth that is rounded to a multiple of `step`; not known where it may be either of two.
-Made RoundedDepth(const ShownNumber& s, double step, bool is_floor) {
+// How far off a depth may be before it is rounded.
+double DepthMargin(const ShownNumber& s, const MadeNumber& z) {
+  const ValueError& error = s.values.rule.error;
+  return error.IsStated() ? error.absolute
+                          : kUsualConditions * UnitRoundoff(s.values.precision) * z.condition;
+}
+
+// The nearest multiple of a step of 2^-n or 1 / n, rounded once.
+double OnGrid(double x, double step) {
+  const double most = std::nearbyint(1 / step);
+  return std::nearbyint(x * most) / most;
+}
+
+// The multiple of `step` that is shown, if it is beside the depth, or else the nearest to that; as
+// a double or a float.
+Made RoundedDepth(const ShownNumber& s, double step) {
+  const MadeNumber z = DepthOf(s);
+  const double clamped = std::clamp(z.value, 0.0, 1.0);
+  double made = OnGrid(s.x, step);
+  if (!(std::fabs(made - clamped) <= step / 2 + DepthMargin(s, z))) made = OnGrid(clamped, step);
+  return {{made, 0, 0.0}, {static_cast<double>(static_cast<float>(made)), 0, 0.0}};
+}
+
+// Rounded down to a code of the format; not known where the depth may be of either of two.
+Made TruncatedDepth(const ShownNumber& s) {
+  const double step = DepthStep(s.values.rule.depth);
+  if (step == 0) return {};
   const MadeNumber z = DepthOf(s);
   const double codes = std::clamp(z.value, 0.0, 1.0) / step;
-  const double shift = is_floor ? 0 : 0.5;
-  const double code = std::floor(codes + shift);
-  const double part = codes + shift - code;
-  // A depth of floats may be off by a step: then nothing is told by its last code.
-  const double margin = (kUsualConditions * UnitRoundoff(s.values.precision) * z.condition +
-                         s.values.rule.error.absolute) /
-                        step;
-  const bool is_certain = s.values.rule.error.IsStated()
-                              ? std::min(part, 1 - part) > s.values.rule.error.absolute / step
-                              : std::min(part, 1 - part) > margin;
-  if (!is_certain) return {{std::nan(""), 0}};
-  return {{code * step, 0, std::ldexp(std::fabs(code * step), -24)}};
+  const double code = std::floor(codes);
+  const double part = codes - code;
+  if (!(std::min(part, 1 - part) > DepthMargin(s, z) / step)) return {{std::nan(""), 0}};
+  const double made = code / std::nearbyint(1 / step);
+  return {{made, 0, 0.0}, {static_cast<double>(static_cast<float>(made)), 0, 0.0}};
 }
 
 void AddDepths(std::vector<Mistake>& list) {
@@ -264,21 +285,18 @@ void AddDepths(std::vector<Mistake>& list) {
          if (z.value >= 0 && z.value <= 1) return {};
          return {z};
        }});
-  list.push_back({"depth-rounding", "rounds depths down", [](const ShownNumber& s) -> Made {
-                    const double step = DepthStep(s.values.rule.depth);
-                    return step != 0 ? RoundedDepth(s, step, true) : Made();
-                  }});
+  list.push_back({"depth-rounding", "rounds depths down", TruncatedDepth});
   for (const auto& [bits, most] : {std::pair(16, 0xffff), std::pair(24, 0xffffff)}) {
     list.push_back({"depth-rounding",
                     std::string("keeps depths in ").append(std::to_string(bits)).append(" bits"),
                     [step = 1.0 / most](const ShownNumber& s) -> Made {
-                      return step != DepthStep(s.values.rule.depth) ? RoundedDepth(s, step, false)
+                      return step != DepthStep(s.values.rule.depth) ? RoundedDepth(s, step)
                                                                     : Made();
                     }});
     list.push_back(
         {"depth-rounding",
          std::string("rounds depths to multiples of 2^-").append(std::to_string(bits)),
-         [bits](const ShownNumber& s) { return RoundedDepth(s, std::ldexp(1.0, -bits), false); }});
+         [bits](const ShownNumber& s) { return RoundedDepth(s, std::ldexp(1.0, -bits)); }});
   }
 }
 

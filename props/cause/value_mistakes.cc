@@ -31,6 +31,7 @@ constexpr std::uint64_t kFirstTried = std::uint64_t{1} << 21;
 constexpr double kMistakeConditions = 2 * kUsualConditions;
 
 constexpr int kMostFewBits = 18;  // of float32's 24
+constexpr int kFewestBits = 4;    // fewer explain any number of about that size
 constexpr std::string_view kDepthName = "depth";
 
 enum class Fit : std::uint8_t { kUnknown, kRight, kWrong };
@@ -44,11 +45,14 @@ DerivativeCheck CheckSlope(const ShownNumber& s) {
   return CheckDerivative(s.values, s.f, s.owners, s.channel, s.axis, s.x);
 }
 
+bool HasDepthFormat(const ShownNumber& s) {
+  return s.channel.name == kDepthName && s.values.rule.depth != DepthFormat::kUnstated;
+}
+
 // What the number may be; depths are clamped to their format, and rounded to it.
 std::optional<ValueRange> StatedRange(const ShownNumber& s) {
   std::optional<ValueRange> range = RangeOf(s.values, s.f, s.owners, s.channel, s.numbers);
-  if (!range || s.channel.name != kDepthName || s.values.rule.depth == DepthFormat::kUnstated)
-    return range;
+  if (!range || !HasDepthFormat(s)) return range;
   if (DepthStep(s.values.rule.depth) != 0) {
     range->low = std::clamp(range->low, 0.0, 1.0);
     range->high = std::clamp(range->high, 0.0, 1.0);
@@ -67,6 +71,7 @@ Fit Stated(const ShownNumber& s) {
     const std::size_t k = s.values.rule.provoking == ProvokingVertex::kLast ? 2 : 0;
     return s.x == s.numbers[k] ? Fit::kRight : Fit::kWrong;
   }
+  if (HasDepthFormat(s) && !IsOfDepthFormat(s.x, s.values.rule.depth)) return Fit::kWrong;
   const std::optional<ValueRange> range = StatedRange(s);
   if (!range) return Fit::kUnknown;
   if (range->SurelyHolds(s.x)) return Fit::kRight;
@@ -285,8 +290,8 @@ ValueMistake Search::Found() const {
     if (found.name.empty()) found.name = mistake.name;
     found.what.push_back(mistake.what);
   }
-  const bool are_few =
-      most_bits_ > 0 && most_bits_ <= kMostFewBits && most_off_ <= std::ldexp(1.0, 1 - most_bits_);
+  const bool are_few = most_bits_ >= kFewestBits && most_bits_ <= kMostFewBits &&
+                       most_off_ <= std::ldexp(1.0, 1 - most_bits_);
   if (found.name.empty() && are_few && wrong_cases_.size() >= kFewestScenes) {
     found.name = "few-bits";
     found.what = {"keeps " + std::to_string(most_bits_) + " bits of a value"};

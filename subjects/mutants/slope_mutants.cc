@@ -53,13 +53,13 @@ std::vector<Mutant> OfSlopes() {
   return {
       {"values-dy-negated", "derivatives by y have the other sign", "",
        Deriving(kPlane, [](const ValueQuestion&, Slope d) { return Slope{d[0], -d[1]}; }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
       {"values-dx-dy-swapped", "derivatives by x and y are exchanged", "",
        Deriving(kPlane, [](const ValueQuestion&, Slope d) { return Slope{d[1], d[0]}; }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
       {"values-dx-doubled", "derivatives are twice too large", "",
        Deriving(kPlane, [](const ValueQuestion&, Slope d) { return Slope{2 * d[0], 2 * d[1]}; }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
       {"values-dx-of-affine-plane", "derivatives in perspective are of the plane on the screen", "",
        Deriving(kPlane,
                 [](const ValueQuestion& q, Slope) {
@@ -67,7 +67,7 @@ std::vector<Mutant> OfSlopes() {
                   if (screen.IsPerspective()) screen.interpolation = Interpolation::kLinear;
                   return AnalyticDerivative(screen);
                 }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
       {"values-dx-not-of-w", "derivatives in perspective leave out that of 1/w", "",
        Deriving(kPlane,
                 [](const ValueQuestion& q, Slope sound) {
@@ -78,11 +78,11 @@ std::vector<Mutant> OfSlopes() {
                   const double w = WAt(q);
                   return Slope{d[0] * w, d[1] * w};
                 }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
       {"values-dx-few-bits", "derivatives are multiples of 2^-12", "",
        Deriving(kPlane,
                 [](const ValueQuestion&, Slope d) { return Slope{Fixed12(d[0]), Fixed12(d[1])}; }),
-       "shown-values", kDerivativesKill},
+       "few-bits|shown-values", kDerivativesKill},
       {"values-dx-stale", "derivatives in the last column are those of the one before", "",
        Deriving(kPlane,
                 [](const ValueQuestion& q, Slope sound) {
@@ -91,7 +91,7 @@ std::vector<Mutant> OfSlopes() {
                   before.at.x -= 1;
                   return AnalyticDerivative(before);
                 }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
       {"values-dx-by-difference", "derivatives are differences, where the plane's are stated", "",
        Deriving(kPlane,
                 [](const ValueQuestion& q, Slope) {
@@ -102,7 +102,7 @@ std::vector<Mutant> OfSlopes() {
                   };
                   return Slope{at(1, 0) - at(0, 0), at(0, 1) - at(0, 0)};
                 }),
-       "shown-values", kDerivativesKill},
+       "wrong-derivative", kDerivativesKill},
   };
 }
 
@@ -129,18 +129,18 @@ std::vector<Mutant> OfQuads() {
                   return Slope{Difference(q, {x, y}, {x + 1, y}),
                                Difference(q, {x, y}, {x, y + 1})};
                 }),
-       "shown-values", kQuadsKill},
+       "wrong-derivative", kQuadsKill},
       {"values-next-quad", "differences are those of the quad beside", "",
        Deriving(kFine,
                 [](const ValueQuestion& q, Slope d) {
                   const int x = 2 - q.column % 2;
                   return Slope{Difference(q, {x, 0}, {x + 1, 0}), d[1]};
                 }),
-       "shown-values", kQuadsKill},
+       "wrong-derivative", kQuadsKill},
       {"values-difference-negated", "odd columns take the difference the other way round", "",
        Deriving(kFine, [](const ValueQuestion& q,
                           Slope d) { return q.column % 2 == 1 ? Slope{-d[0], d[1]} : d; }),
-       "shown-values", kQuadsKill},
+       "wrong-derivative", kQuadsKill},
       {"values-difference-forward", "each pixel's difference is to the next, of whichever quad", "",
        Deriving(kFine, [](const ValueQuestion& q,
                           Slope d) { return Slope{Difference(q, {0, 0}, {1, 0}), d[1]}; }),
@@ -151,7 +151,7 @@ std::vector<Mutant> OfQuads() {
                   return Slope{Difference(q, {-1, 0}, {1, 0}) / 2,
                                Difference(q, {0, -1}, {0, 1}) / 2};
                 }),
-       "shown-values", kQuadsKill},
+       "wrong-derivative", kQuadsKill},
       {"values-coarse-by-rows", "the coarse difference along x is each row's own", "",
        Deriving(DerivativesBy::kCoarse,
                 [](const ValueQuestion& q, Slope d) {
@@ -178,23 +178,23 @@ std::vector<Mutant> OfDepths() {
       {"values-depth-16-bits", "depths have 16 bits, where 24 are stated", "",
        Deepening(k24, [](const ValueQuestion&,
                          double z) { return InDepthFormat(z, DepthFormat::kUnorm16); }),
-       "shown-values", kFormatKills},
+       "depth-rounding", kFormatKills},
       {"values-depth-truncated", "depths are rounded down, where the nearest is stated", "",
        StatingItsError(Deepening(k24,
                                  [](const ValueQuestion&, double z) {
                                    return std::floor(std::clamp(z, 0.0, 1.0) * kMost) / kMost;
                                  })),
-       "shown-values", kFormatKills},
+       "depth-rounding", kFormatKills},
       {"values-depth-power-of-two", "depths are multiples of 2^-24", "",
        Deepening(k24,
                  [](const ValueQuestion&, double z) {
                    return std::nearbyint(std::clamp(z, 0.0, 1.0) * 0x1p24) * 0x1p-24;
                  }),
-       "shown-values", kFormatKills},
+       "depth-rounding", kFormatKills},
       {"values-depth-not-clamped", "depths outside [0, 1] are shown as they are", "",
        Deepening(k24,
                  [](const ValueQuestion&, double z) { return z < 0 || z > 1 ? z : Depth24(z); }),
-       "shown-values", kFormatKills},
+       "depth-range", kFormatKills},
       {"values-depth-perspective", "depths are perspective, where z/w is linear on the screen", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) {
@@ -204,19 +204,19 @@ std::vector<Mutant> OfDepths() {
                    return WeightedSum(WeightsOf(over),
                                       {q.z[0] / q.v[0].w, q.z[1] / q.v[1].w, q.z[2] / q.v[2].w});
                  }),
-       "shown-values", kDepthsKill},
+       "affine-weights", kDepthsKill},
       {"values-depth-not-divided", "depths are z, where z/w is meant", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) { return q.clip_space ? z * WAt(q) : z; }),
-       "shown-values|missing-division", kDepthsKill},
+       "missing-division|affine-weights", kDepthsKill},
       {"values-depth-of-w", "depths are w, where z/w is meant", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) { return q.clip_space ? WAt(q) : z; }),
-       "shown-values", kDepthsKill},
+       "wrong-quantity", kDepthsKill},
       {"values-depth-remapped", "depths are mapped from [0, 1] to [-1, 1]", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) { return q.clip_space ? 2 * z - 1 : z; }),
-       "shown-values", kDepthsKill},
+       "depth-range", kDepthsKill},
   };
 }
 

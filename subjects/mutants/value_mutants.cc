@@ -231,7 +231,7 @@ std::vector<Mutant> OfWeights() {
                 return Reweighted(q, [](double w) { return w < 0 ? -1.0 : 1.0; });
               }),
               StateTheError),
-       "shown-values", kValuesKill},
+       "weights-by-w", kValuesKill},
       {"values-behind-affine", "values are affine where a vertex lies behind the eye", "",
        Stated(AskingOfChannels([](Question& q) {
                 if (ReachesBehindTheEye(q)) OnTheScreen(q);
@@ -243,12 +243,12 @@ std::vector<Mutant> OfWeights() {
          if (q.interpolation == Interpolation::kLinear)
            q.interpolation = Interpolation::kPerspective;
        }),
-       "shown-values", kValuesKill},
+       "affine-weights", kValuesKill},
       {"values-w-for-inverse-w", "w is shown, where 1/w is asked for", "",
        ChangingValues([](const Question& q, double value) {
          return q.interpolation == Interpolation::kInverseW ? 1 / value : value;
        }),
-       "shown-values", kValuesKill},
+       "wrong-quantity", kValuesKill},
       {"values-of-affine-w", "1/w is that of w interpolated on the screen", "",
        ChangingValues([](const Question& q, double value) {
          if (q.interpolation != Interpolation::kInverseW) return value;
@@ -256,7 +256,7 @@ std::vector<Mutant> OfWeights() {
          screen.interpolation = Interpolation::kLinear;
          return 1 / WeightedSum(WeightsOf(screen), {q.v[0].w, q.v[1].w, q.v[2].w});
        }),
-       "shown-values", kValuesKill},
+       "affine-weights", kValuesKill},
   };
 }
 
@@ -296,12 +296,12 @@ std::vector<Mutant> OfPrecision() {
                 return is_small && q.interpolation != Interpolation::kFlat ? 0.0 : value;
               }),
               StateTheError),
-       "shown-values", kValuesKill},
+       "subnormals", kValuesKill},
       {"values-clamped", "values are clamped to [0, 1]", "",
        ChangingValues([](const Question& q, double value) {
          return q.interpolation == Interpolation::kInverseW ? value : std::clamp(value, 0.0, 1.0);
        }),
-       "shown-values", kValuesKill},
+       "clamped-values", kValuesKill},
       {"values-ninth-channel", "channels beyond the eighth are zero", "",
        ChangingValues(
            [](const Question& q, double value) { return *q.channel >= 8 ? 0.0 : value; }),

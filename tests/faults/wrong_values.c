@@ -99,7 +99,8 @@ static void show(const rasterproof_scene* scene, const rasterproof_target* targe
       z += l[i] * t->z[i] / t->w[i];
       w += l[i] / t->w[i];
     }
-    target->depths[k] = is("depth-in-perspective") ? z / w : z;
+    target->depths[k] = is("depth-in-perspective") ? z / w : is("depth-mapped") ? 2 * z - 1 : z;
+    if (is("depth-reversed")) target->depths[k] = 1 - z;
   }
   if (target->barycentrics != NULL) {
     in_perspective(t, l, b);
@@ -109,8 +110,12 @@ static void show(const rasterproof_scene* scene, const rasterproof_target* targe
   }
   if (is("corner")) px -= 0.5, py -= 0.5;
   for (size_t c = 0; target->values != NULL && c < scene->channel_count; ++c) {
-    const rasterproof_channel* const channel = &scene->channels[c];
-    target->values[scene->channel_count * k + c] = value_at(t, channel, px, py);
+    const size_t asked = is("next-channel") ? (c + 1) % scene->channel_count : c;
+    const rasterproof_channel* const channel = &scene->channels[asked];
+    double value = value_at(t, channel, px, py);
+    if (is("clamped")) value = fmin(fmax(value, 0), 1);
+    if (is("w") && channel->interpolation == RASTERPROOF_INVERSE_W) value = 1 / value;
+    target->values[scene->channel_count * k + c] = value;
   }
 }
 

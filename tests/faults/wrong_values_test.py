@@ -32,6 +32,11 @@ FAULTS = {
     "corner": "wrong-place",
     "half": "few-bits",
     "depth-in-perspective": "affine-weights",
+    "depth-mapped": "depth-range",
+    "depth-reversed": "depth-range",
+    "next-channel": "wrong-quantity",
+    "w": "wrong-quantity",
+    "clamped": "clamped-values",
 }
 
 

@@ -38,6 +38,20 @@ inline double UlpOf(double value, Precision precision) {
   return std::ldexp(1.0, std::max(exponent - (is_float ? 24 : 53), is_float ? -149 : -1074));
 }
 
+/// Whether a depth is a number of the format. A program shows the code of a normalized one as a
+/// double: code / (2^bits - 1), rounded once, or in float32.
+inline bool IsOfDepthFormat(double x, DepthFormat format) {
+  const double step = DepthStep(format);
+  if (step == 0) {
+    return format == DepthFormat::kFloat64 || x == static_cast<double>(static_cast<float>(x));
+  }
+  const double most = std::nearbyint(1 / step);
+  const double code = std::nearbyint(x * most);
+  if (!(code >= 0 && code <= most)) return false;
+  const double value = code / most;
+  return x == value || x == static_cast<double>(static_cast<float>(value));
+}
+
 /// What a depth may be off by the rounding to its format: one step of it, or half; and what float32
 /// rounds if that is what it is shown in.
 inline double DepthRoundingOf(const ValueRule& rule, double x) {

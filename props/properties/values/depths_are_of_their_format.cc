@@ -21,22 +21,9 @@
 namespace rasterproof::props {
 namespace depths_are_of_their_format {
 
-// A program shows the code as a double: code / (2^bits - 1), rounded once, or in float32.
-bool IsOfTheFormat(double x, DepthFormat format) {
-  const double step = DepthStep(format);
-  if (step == 0) {
-    return format == DepthFormat::kFloat64 || x == static_cast<double>(static_cast<float>(x));
-  }
-  const double most = std::nearbyint(1 / step);
-  const double code = std::nearbyint(x * most);
-  if (!(code >= 0 && code <= most)) return false;
-  const double value = code / most;
-  return x == value || x == static_cast<double>(static_cast<float>(value));
-}
-
 Verdict Judge(const ShownValues& given, const ValueFragment& f, const ValueOwners& owners) {
   const double x = given.drawing.depths[f.index];
-  if (!IsOfTheFormat(x, given.rule.depth)) {
+  if (!IsOfDepthFormat(x, given.rule.depth)) {
     return NumberViolation(NumberKind::kDepth, "a depth is no number of the stated format",
                            WitnessAt(f.triangle, -1, f.place, {x}, {"a number of the format"}));
   }

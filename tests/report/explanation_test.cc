@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <set>
 #include <string>
 #include <string_view>
 
+#include "core/compared_numbers.h"
 #include "pugixml.hpp"
+#include "report/explanation_numbers.h"
 #include "report/figure.h"
 #include "report/palette.h"
 #include "report/picture.h"
@@ -82,6 +85,69 @@ TEST(ExplanationTextTest, ShowsOnePanelWhereCoverageIsRight) {
   const std::string svg = ExplanationToSvg(explanation);
   EXPECT_EQ(svg.find("difference"), std::string::npos);
   EXPECT_NE(svg.find("as expected"), std::string::npos);
+}
+
+// Three samples hold numbers: one is right, one below what is allowed, one no number.
+Explanation OfNumbers() {
+  Explanation explanation = Sample();
+  explanation.observed = explanation.expected;
+  explanation.pattern = *StandardPattern(1);
+  ComparedNumbers numbers;
+  numbers.what = "channel \"u\", linear";
+  numbers.list = {{1, 1, 0, 0.25, 0.5, 0.125, -2},
+                  {0, 0, 0, 0, 0, 0.125, 0},
+                  {2, 1, 0, std::numeric_limits<double>::quiet_NaN(), 1, 0.125,
+                   std::numeric_limits<double>::quiet_NaN()}};
+  explanation.numbers = std::make_shared<const ComparedNumbers>(numbers);
+  explanation.edge_values = NumberLines(numbers);
+  return explanation;
+}
+
+TEST(ExplanationTextTest, ShowsNumbersBesideTheExactOnes) {
+  EXPECT_EQ(ExplanationToText(OfNumbers(), false),
+            "3 of 12 samples differ\n"
+            "   columns 0 to 3, rows 0 to 2\n"
+            "   exact          shown          difference\n"
+            " 0 0              0              .\n"
+            " 1  [5]9           [2]?           [-]?\n"
+            " 2\n"
+            "numbers: 0 to 9 from 0 to 1, < below, > above, ? none   difference: . within what is "
+            "allowed  - below  + above   [ ] the pixel in question\n"
+            "channel \"u\", linear: shown 0.25 (0x1p-2), exact 0.5 (0x1p-1), allowed 0.125\n"
+            "off by 2 times what is allowed, at pixel (1, 1), sample 0\n"
+            "of 3 samples of the triangle around it 2 are off by more\n"
+            "replay: rasterproof explain case.json\n");
+}
+
+TEST(ExplanationImageTest, NumbersHaveColoursThatDifferInLightness) {
+  const Explanation explanation = OfNumbers();
+  const NumberScale scale = ScaleOf(*explanation.numbers);
+  const auto lightness = [](Colour c) { return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; };
+  double last = -1;
+  for (const double x : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+    const double light = lightness(NumberColour(scale, x));
+    EXPECT_GT(light, last + 20) << x;
+    last = light;
+  }
+  EXPECT_EQ(NumberCharacter(scale, -0.1), '<');
+  EXPECT_EQ(NumberCharacter(scale, 1.1), '>');
+  EXPECT_NE(OffColour(-2), OffColour(2));
+  EXPECT_EQ(OffColour(1), OffColour(0)) << "within what is allowed";
+  const io::Image image = ExplanationToImage(explanation);
+  EXPECT_TRUE(Holds(image, NumberColour(scale, 0.5)));
+  EXPECT_TRUE(Holds(image, NumberColour(scale, 0.25)));
+  EXPECT_TRUE(Holds(image, OffColour(-2)));
+  EXPECT_TRUE(Holds(image, kYellow)) << "the sample that failed is marked";
+  EXPECT_NE(ExplanationToSvg(explanation).find(">-2.0<"), std::string::npos);
+}
+
+TEST(ExplanationTextTest, EqualNumbersHaveAScale) {
+  ComparedNumbers numbers;
+  numbers.is_in_ulps = true;
+  numbers.list = {{0, 0, 0, 65533, 65534, 0, -1}, {1, 0, 0, 65534, 65534, 0, 0}};
+  const NumberScale scale = ScaleOf(numbers);
+  EXPECT_EQ(NumberCharacter(scale, 65533), '<');
+  EXPECT_EQ(UnitsText(numbers, -1), "1 ulp, where none is allowed");
 }
 
 TEST(ExplanationTextTest, UsesColourOnlyIfAsked) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,6 +74,45 @@ TEST(PageTest, LeadsToThePagesAndPicturesBesideIt) {
   EXPECT_TRUE(Has(pages[1], "href=\"../report.html\""));
   EXPECT_TRUE(Has(pages[1], "src=\"../f32-direct/bunny.svg\""));
   EXPECT_FALSE(Has(pages[1], "scenes/bunny.png"));
+}
+
+// A subject that shows values: affine ones, with a cause; derivatives that were not asked.
+Certificate OfValues() {
+  Certificate certificate = SampleCertificate();
+  certificate.subject.name = "swims";
+  certificate.subject.fragments.shows_values = true;
+  PropertyResult values = SampleProperty("ValuesStayWithinTheirError", Outcome::kViolated);
+  ComparedNumbers numbers;
+  numbers.list = {{0, 0, 0, 0.25, 0.5, 1e-6, -2.5e5}};
+  values.counterexample->verdict.numbers = std::make_shared<const ComparedNumbers>(numbers);
+  certificate.tested = {values, SampleProperty("EqualValuesStayEqual", Outcome::kHolds),
+                        SampleProperty("DerivativesStayWithinTheirError", Outcome::kNotApplicable)};
+  certificate.causes = {{"ValuesStayWithinTheirError", "it interpolates on the <screen>"}};
+  certificate.not_asked = {{"derivatives", "no property judges them"}};
+  return certificate;
+}
+
+TEST(PageTest, AnswersThreeQuestionsOfValues) {
+  const ValueMethodRow method{
+      "differences", "a_0 + l_1 (a_1 - a_0)", {9, 9}, 0, 0, {0.348, 0.19}, "equal", "a proof"};
+  const std::string html = ValuesSection({OfValues(), SampleCertificate()}, {method});
+  for (const char* question : {"Which interpolation may I trust, at what cost?",
+                               "My texture swims: weights or division?", "Is my du/dx right?"}) {
+    EXPECT_EQ(Count(html, question), 1U) << question;
+  }
+  EXPECT_EQ(Count(html, "it interpolates on the &lt;screen&gt;"), 2U) << "of two questions";
+  EXPECT_TRUE(Has(html, "2.5e+05")) << "the error of the counterexample over what is allowed";
+  EXPECT_TRUE(Has(html, "not asked: it shows no edge values"));
+  EXPECT_TRUE(Has(html, "derivatives <span class=\"why\">no property judges them"));
+  EXPECT_TRUE(Has(html, "0.348"));
+  EXPECT_FALSE(Has(html, "ns a pixel")) << "nobody measured it";
+  EXPECT_TRUE(Has(html, "1 subject shows no values"));
+}
+
+TEST(PageTest, OfSubjectsWithoutValuesALineIsSaid) {
+  const std::string html = ValuesSection({SampleCertificate()}, {});
+  EXPECT_TRUE(Has(html, "1 subject shows no values: nothing was asked of them."));
+  EXPECT_FALSE(Has(html, "<h3>"));
 }
 
 TEST(PageTest, EverythingThatOthersNamedIsEscaped) {

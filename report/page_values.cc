@@ -80,9 +80,10 @@ std::string RowsOf(const Certificate& certificate, const Question& question) {
     const PropertyResult* const result = ResultOf(certificate, property);
     if (result == nullptr) continue;
     rows += fmt::format(
-        "<tr><th scope=\"row\">{}</th><td><span class=\"name\">{}</span></td><td>{}</td>"
+        "<tr><th scope=\"row\" class=\"name\">{}</th><td><span "
+        "class=\"name\">{}</span></td><td>{}</td>"
         "<td class=\"number\" title=\"{}\">{}</td><td class=\"remark\">{}</td></tr>\n",
-        Link(certificate), Breakable(property), Chip(certificate, *result),
+        Escaped(certificate.subject.name), Breakable(property), Chip(certificate, *result),
         Escaped(result->tolerance), LargestRatio(*result), Escaped(WordsOn(certificate, *result)));
   }
   return rows;

@@ -61,41 +61,40 @@ std::optional<ValueRange> StatedRange(const ShownNumber& s) {
   return range;
 }
 
-// Whether the number is what is stated.
-Fit Stated(const ShownNumber& s) {
+// Whether the number is what is stated, and the least that is allowed about any number.
+struct Statement {
+  Fit fit = Fit::kUnknown;
+  double tolerance = 0;
+};
+
+Statement Stated(const ShownNumber& s) {
   if (s.axis >= 0) {
     const DerivativeCheck check = CheckSlope(s);
-    return !check.is_judged ? Fit::kUnknown : check.holds ? Fit::kRight : Fit::kWrong;
+    if (!check.is_judged) return {};
+    return {check.holds ? Fit::kRight : Fit::kWrong, check.tolerance};
   }
   if (!IsInterpolatedChannel(s)) {
     const std::size_t k = s.values.rule.provoking == ProvokingVertex::kLast ? 2 : 0;
-    return s.x == s.numbers[k] ? Fit::kRight : Fit::kWrong;
+    return {s.x == s.numbers[k] ? Fit::kRight : Fit::kWrong, 0};
   }
-  if (HasDepthFormat(s) && !IsOfDepthFormat(s.x, s.values.rule.depth)) return Fit::kWrong;
   const std::optional<ValueRange> range = StatedRange(s);
-  if (!range) return Fit::kUnknown;
-  if (range->SurelyHolds(s.x)) return Fit::kRight;
-  return range->SurelyExcludes(s.x) ? Fit::kWrong : Fit::kUnknown;
+  if (!range) return {};
+  if (HasDepthFormat(s) && !IsOfDepthFormat(s.x, s.values.rule.depth))
+    return {Fit::kWrong, range->tolerance};
+  if (range->SurelyHolds(s.x)) return {Fit::kRight, range->tolerance};
+  return {range->SurelyExcludes(s.x) ? Fit::kWrong : Fit::kUnknown, range->tolerance};
 }
 
-// The least that is allowed about any number that is made.
-double StatedTolerance(const ShownNumber& s) {
-  if (s.axis >= 0) return CheckSlope(s).tolerance;
-  const auto range = StatedRange(s);
-  return range ? range->tolerance : 0;
-}
-
-Fit ShownBy(const Mistake& mistake, const ShownNumber& s, Fit stated) {
+Fit ShownBy(const Mistake& mistake, const ShownNumber& s, const Statement& stated) {
   const std::vector<MadeNumber> made = mistake.shows(s);
-  if (made.empty()) return stated;  // there it does as is stated
+  if (made.empty()) return stated.fit;  // there it does as is stated
   for (const MadeNumber& one : made) {
     if (!std::isfinite(one.value) || !std::isfinite(one.condition)) return Fit::kUnknown;
   }
-  const double least = StatedTolerance(s);
   for (const MadeNumber& one : made) {
-    const double tolerance =
-        one.within.value_or(std::max(least, kMistakeConditions * UnitRoundoff(s.values.precision) *
-                                                (one.condition + std::fabs(one.value))));
+    const double rounding = kMistakeConditions * UnitRoundoff(s.values.precision) *
+                            (one.condition + std::fabs(one.value));
+    const double tolerance = one.within.value_or(std::max(stated.tolerance, rounding));
     if (std::fabs(s.x - one.value) <= tolerance) return Fit::kRight;
   }
   return Fit::kWrong;
@@ -194,10 +193,10 @@ void Search::LookAtBits(const ShownNumber& s) {
 }
 
 void Search::CompareNumber(const ShownNumber& s, std::size_t number) {
-  const Fit stated = Stated(s);
-  if (stated == Fit::kUnknown) return;
+  const Statement stated = Stated(s);
+  if (stated.fit == Fit::kUnknown) return;
   ++numbers_;
-  if (stated == Fit::kWrong) {
+  if (stated.fit == Fit::kWrong) {
     ++wrong_;
     wrong_cases_.insert(number);
     LookAtBits(s);
@@ -205,7 +204,7 @@ void Search::CompareNumber(const ShownNumber& s, std::size_t number) {
   std::erase_if(left_, [&](Mistake& mistake) {
     const Fit fit = ShownBy(mistake, s, stated);
     if (fit == Fit::kWrong) return true;
-    if (fit == Fit::kRight && stated == Fit::kWrong) mistake.cases.insert(number);
+    if (fit == Fit::kRight && stated.fit == Fit::kWrong) mistake.cases.insert(number);
     return false;
   });
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -116,10 +117,13 @@ bool HasOneDerivative(const Derivatives& d, const ValueFragment& f, std::size_t 
   return true;
 }
 
-// One alignment of quads must explain all fragments.
+// One alignment of quads must explain all fragments of a triangle: how they lie over another one,
+// no text says.
 Verdict JudgeAlignment(const Derivatives& d, const std::vector<ValueFragment>& fragments) {
-  std::array<bool, 4> is_possible{true, true, true, true};
+  std::map<int, std::array<bool, 4>> by_triangle;
   for (const ValueFragment& f : fragments) {
+    const std::array<bool, 4> all{true, true, true, true};
+    std::array<bool, 4>& is_possible = by_triangle.try_emplace(f.triangle, all).first->second;
     for (std::size_t k = 0; k < d.shown.channels.size(); ++k) {
       if (d.shown.channels[k].at != EvaluatedAt::kSample || !std::isfinite(d.Value(f.index, k)))
         continue;

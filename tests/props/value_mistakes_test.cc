@@ -64,8 +64,8 @@ INSTANTIATE_TEST_SUITE_P(
                     Planted{"values-depth-power-of-two", kFormats, "depth-rounding"},
                     Planted{"values-depth-16-bits", kFormats, "depth-rounding"}));
 
-// Sound rasterizers, of unusual forms and statements, have no mistake; and no other bug has one that
-// is not its own.
+// Sound rasterizers, of unusual forms and statements, have no mistake; and no other bug has one
+// that is not its own.
 TEST(ValueMistakes, AccuseNobodyElse) {
   int asked = 0;
   for (const subjects::MutantInfo& info : subjects::Mutants()) {

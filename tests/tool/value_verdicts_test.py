@@ -1,4 +1,4 @@
-"""What the texts of the APIs say of planted bugs of values, as tests/tool/value_verdicts.json has it.
+"""What the texts of four APIs say of planted bugs of values: tests/tool/value_verdicts.json.
 
 usage: value_verdicts_test.py PROGRAM SOURCES
 """

@@ -276,6 +276,13 @@ Made TruncatedDepth(const ShownNumber& s) {
 void AddDepths(std::vector<Mistake>& list) {
   list.push_back({"wrong-quantity", "shows w where a depth is asked for",
                   [](const ShownNumber& s) -> Made { return {WAt(s, PlaceOf(s))}; }});
+  list.push_back(
+      {"affine-weights", "interpolates z/w in perspective", [](const ShownNumber& s) -> Made {
+         const RayCorners& v = s.owners.corners.front();
+         VertexNumbers over = s.numbers;
+         for (std::size_t i = 0; i < 3; ++i) over[i] /= v[i].w;
+         return {Estimated(s, Interpolation::kPerspective, over, PlaceOf(s))};
+       }});
   AddDepthMap(list, "maps depths from [0, 1] to [-1, 1]", 2, -1);
   AddDepthMap(list, "maps depths from [-1, 1] to [0, 1]", 0.5, 0.5);
   AddDepthMap(list, "shows 1 - z", -1, 1);

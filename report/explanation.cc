@@ -312,13 +312,13 @@ class Layout {
       figure_.Rectangle(x, y_ + 1, x + wide, y_ + 1 + 0.9 * kText, colour);
       x += wide;
     };
-    write(NumberText(scale_.low));
+    write(ShortNumber(scale_.low));
     for (int k = 0; k < kSteps; ++k) {
       const double part = (k + 0.5) / kSteps;
       square(NumberColour(scale_, scale_.low + part * (scale_.high - scale_.low)), kWide);
     }
     x += kAdvance * kText;
-    write(NumberText(scale_.high));
+    write(ShortNumber(scale_.high));
     for (const auto& [off, text] :
          {std::pair(0.0, "within"), std::pair(-2.0, "below"), std::pair(2.0, "above")}) {
       x += kText;

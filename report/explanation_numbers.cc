@@ -108,7 +108,7 @@ std::string OffText(double off) {
   return fmt::format("{}1e{}", off < 0 ? "-" : "", power);
 }
 
-std::string NumberText(double number) { return fmt::format("{:.6g}", number); }
+std::string ShortNumber(double number) { return fmt::format("{:.6g}", number); }
 
 std::string UnitsText(const ComparedNumbers& numbers, double off) {
   const std::string size = fmt::format("{:.3g}", std::fabs(off));
@@ -122,9 +122,9 @@ std::vector<std::string> NumberLines(const ComparedNumbers& numbers) {
   const ComparedNumber& n = numbers.list.front();
   std::vector<std::string> lines;
   lines.push_back(
-      fmt::format("{}: shown {} ({}), exact {} ({}){}", numbers.what, NumberText(n.observed),
-                  HexText(n.observed), NumberText(n.expected), HexText(n.expected),
-                  numbers.is_in_ulps ? ", to the bit" : ", allowed " + NumberText(n.allowed)));
+      fmt::format("{}: shown {} ({}), exact {} ({}){}", numbers.what, ShortNumber(n.observed),
+                  HexText(n.observed), ShortNumber(n.expected), HexText(n.expected),
+                  numbers.is_in_ulps ? ", to the bit" : ", allowed " + ShortNumber(n.allowed)));
   lines.push_back(fmt::format("off by {}, at pixel ({}, {}), sample {}", UnitsText(numbers, n.off),
                               n.x, n.y, n.sample));
   const auto wrong = std::ranges::count_if(

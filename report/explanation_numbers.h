@@ -43,7 +43,7 @@ char OffCharacter(double off);
 std::string OffText(double off);
 
 /// "0.25": the shortest decimal of up to six digits, for the eye.
-std::string NumberText(double number);
+std::string ShortNumber(double number);
 /// "1.6e+06 times what is allowed", "3 ulps, where none is allowed".
 std::string UnitsText(const ComparedNumbers& numbers, double off);
 /// What the failing sample shows, with exact digits; its place; what stands beside it.

@@ -112,7 +112,7 @@ std::string LegendOfNumbers(const Explanation& explanation) {
   return fmt::format(
       "numbers: 0 to 9 from {} to {}, < below, > above, ? none   difference: . within what is "
       "allowed  - below  + above   [ ] the pixel in question",
-      NumberText(scale.low), NumberText(scale.high));
+      ShortNumber(scale.low), ShortNumber(scale.high));
 }
 
 std::string Legend(const Explanation& explanation) {

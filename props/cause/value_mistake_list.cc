@@ -288,8 +288,9 @@ void AddDepths(std::vector<Mistake>& list) {
   AddDepthMap(list, "shows 1 - z", -1, 1);
   list.push_back(
       {"depth-range", "does not clamp depths to [0, 1]", [](const ShownNumber& s) -> Made {
-         const MadeNumber z = DepthOf(s);
+         MadeNumber z = DepthOf(s);
          if (z.value >= 0 && z.value <= 1) return {};
+         z.within = kUsualConditions * UnitRoundoff(s.values.precision) * z.condition;
          return {z};
        }});
   list.push_back({"depth-rounding", "rounds depths down", TruncatedDepth});

@@ -91,7 +91,10 @@ Fit ShownBy(const Mistake& mistake, const ShownNumber& s, const Statement& state
   for (const MadeNumber& one : made) {
     if (!std::isfinite(one.value) || !std::isfinite(one.condition)) return Fit::kUnknown;
   }
+  // A mistake before the rounding to the format of depths leaves numbers of that format.
+  const bool is_of_format = !HasDepthFormat(s) || IsOfDepthFormat(s.x, s.values.rule.depth);
   for (const MadeNumber& one : made) {
+    if (!one.within && !is_of_format) continue;
     const double rounding = kMistakeConditions * UnitRoundoff(s.values.precision) *
                             (one.condition + std::fabs(one.value));
     const double tolerance = one.within.value_or(std::max(stated.tolerance, rounding));

@@ -194,7 +194,7 @@ std::vector<Mutant> OfDepths() {
       {"values-depth-not-clamped", "depths outside [0, 1] are shown as they are", "",
        Deepening(k24,
                  [](const ValueQuestion&, double z) { return z < 0 || z > 1 ? z : Depth24(z); }),
-       "depth-range", kFormatKills},
+       "depth-range|shown-values", kFormatKills},
       {"values-depth-perspective", "depths are perspective, where z/w is linear on the screen", "",
        Deepening(DepthFormat::kUnstated,
                  [](const ValueQuestion& q, double z) {

@@ -7,6 +7,7 @@
 #include "library/kernels/exact_spans.h"
 #include "library/kernels/fill.h"
 #include "library/kernels/kernel_table.h"
+#include "library/kernels/known_spans.h"
 #include "library/kernels/sinks.h"
 #include "library/kernels/span_sink.h"
 #include "library/kernels/vectors.h"
@@ -30,6 +31,7 @@ constexpr KernelTable kKernels = {
     {&DrawClip<PixelSink<Count8>>, &DrawClip<PixelSink<Facing>>, &DrawClip<MaskSink>,
      &DrawClip<PixelSink<Id>>, &DrawClip<PixelSink<ClipDepth>>},
     &DrawClip<SpanSink>,
+    RASTERPROOF_KERNEL_ROW(DrawKnown),
 };
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE

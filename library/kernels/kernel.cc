@@ -242,7 +242,8 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
                         .first_row = 0,
                         .near_plane = NearPlane::kNone,
                         .on_span = nullptr,
-                        .state = nullptr};
+                        .state = nullptr,
+                        .known = nullptr};
   draw(view);
 }
 
@@ -277,6 +278,22 @@ void DrawExactSpans(Target target, KernelView view) {
 
 void DrawClipSpans(Target target, KernelView view) {
   Draw(target, TableOf(target).clip_spans, view);
+}
+
+void DrawKnown(Target target, const KnownSpans& spans, const KernelScene& scene, Surface& surface) {
+  RequireSupported(target);
+  RequireSize(surface, scene.width, scene.height);
+  KernelView view{};
+  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
+  view.indices = scene.indices.data();
+  view.triangles = scene.indices.size() / 3;
+  view.width = scene.width;
+  view.height = scene.height;
+  view.planes[0] = surface.plane(0);
+  view.planes[1] = surface.plane(1);
+  view.pitch = surface.pitch();
+  view.known = &spans;
+  TableOf(target).known[static_cast<std::size_t>(surface.sink())](view);
 }
 
 void Fill(Target target, Surface& surface) {

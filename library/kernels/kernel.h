@@ -172,6 +172,12 @@ void DrawClip(Target target, Sink sink, KernelView view);
 void DrawExactSpans(Target target, KernelView view);
 void DrawClipSpans(Target target, KernelView view);
 
+/// Writes spans that were found before: what the surface's sink costs. kDepth takes its planes from
+/// the scene's triangles.
+///
+/// Domain:     a target of SupportedTargets(); spans within the surface, of the scene's size.
+void DrawKnown(Target target, const KnownSpans& spans, const KernelScene& scene, Surface& surface);
+
 /// Writes every pixel of the surface once, row by row, as one triangle over all of it would: adds 1
 /// (kFacing: to the front), stores a bit or an id, or takes the lesser depth: the store limit.
 ///

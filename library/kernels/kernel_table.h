@@ -17,6 +17,27 @@ struct KernelSpan {
   int row, x0, x1;
 };
 
+/// Columns [first, last) of consecutive rows; empty where first >= last.
+constexpr int kKnownRows = 16;
+struct alignas(64) KnownRows {
+  std::int32_t first[kKnownRows], last[kKnownRows];
+};
+
+/// What was found of a triangle before.
+struct KnownTriangle {
+  std::uint64_t bits;  ///< with rows 0: of a box of 8x8, bit 8 r + c is pixel (x + c, y + r)
+  std::uint32_t triangle;
+  int x, y;   ///< of the box; else y is the first row
+  int rows;   ///< as many, in the next groups of KnownRows
+  int width;  ///< of the box around them
+  bool is_front;
+};
+struct KnownSpans {
+  const KnownTriangle* triangles;  ///< in the order of their numbers
+  std::size_t count;
+  const KnownRows* rows;
+};
+
 /// Which points of a triangle in clip space are kept by their z: 0 <= z as in Vulkan and Direct3D,
 /// -w <= z as in OpenGL, the plane itself included.
 enum class NearPlane : std::uint8_t { kNone, kZero, kMinusW };
@@ -48,6 +69,7 @@ struct KernelView {
   // order.
   void (*on_span)(const void* state, const KernelSpan& span);
   const void* state;
+  const KnownSpans* known;  ///< what `known` writes; vertices and indices for planes alone
 };
 
 /// An edge from its upper end to its lower one, as it was given; a kernel's own coordinates are
@@ -97,6 +119,7 @@ struct KernelTable {
   KernelFunction exact_spans;
   KernelFunction clip[5];  ///< by Sink
   KernelFunction clip_spans;
+  KernelFunction known[5];  ///< by Sink
 };
 
 extern const KernelTable kScalarKernels;

@@ -10,6 +10,7 @@
 #include "library/kernels/float_tiles.h"
 #include "library/kernels/incremental.h"
 #include "library/kernels/kernel_table.h"
+#include "library/kernels/known_spans.h"
 #include "library/kernels/mask_rows.h"
 #include "library/kernels/scanline.h"
 #include "library/kernels/sinks.h"
@@ -40,6 +41,7 @@ constexpr KernelTable kKernels = {
     {&DrawClip<PixelSink<Count8>>, &DrawClip<PixelSink<Facing>>, &DrawClip<MaskSink>,
      &DrawClip<PixelSink<Id>>, &DrawClip<PixelSink<ClipDepth>>},
     &DrawClip<SpanSink>,
+    RASTERPROOF_KERNEL_ROW(DrawKnown),
 };
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE

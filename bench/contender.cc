@@ -2,17 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -50,6 +46,10 @@ class MethodContender final : public Contender {
     method_.kind = KindOf(info);
     method_.target = "compiler";
     method_.sink = NameOf(kernels::Sink::kFacing);
+    // What draws whole scenes at once is a kernel under another name.
+    method_.traversal = table_row.whole != nullptr ? "a kernel's" : "box loop";
+    method_.arithmetic = table_row.name;
+    method_.space = info.takes_window ? "window" : "clip";
     method_.model = info.profile.name;
     method_.is_proved = info.states_exact;
     method_.coordinate_limit = info.profile.coordinate_limit;
@@ -156,169 +156,6 @@ class MethodContender final : public Contender {
   Scene alone_;
 };
 
-std::string_view SummaryOf(kernels::KernelMethod method) {
-  switch (method) {
-    case kernels::KernelMethod::kIncremental:
-      return "float32 edge functions stepped from the box's corner, by vectors";
-    case kernels::KernelMethod::kTiles:
-      return "float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel";
-    case kernels::KernelMethod::kScanline:
-      return "float32 crossings of edges with rows, by vectors";
-    case kernels::KernelMethod::kFixedTiles:
-      return "tiles on vertices snapped to 1/256 pixel";
-    case kernels::KernelMethod::kMaskRows:
-      return "float32 crossings into tiles of bits that know when they are full";
-    case kernels::KernelMethod::kExact:
-      return "crossings of edges with rows, decided exactly";
-    case kernels::KernelMethod::kExactUnsafe:
-      return "the exact kernel with what makes it exact left out";
-  }
-  return "";
-}
-
-std::uint64_t BitsOf(kernels::Sink sink) {
-  switch (sink) {
-    case kernels::Sink::kCount8:
-      return 8;
-    case kernels::Sink::kFacing:
-      return 64;
-    case kernels::Sink::kMask:
-      return 1;
-    case kernels::Sink::kId:
-    case kernels::Sink::kDepth:
-      return 32;
-  }
-  return 0;
-}
-
-class KernelContender final : public Contender {
- public:
-  KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
-      : kernel_(kernel), target_(target), sink_(sink) {
-    const bool is_fixed = kernel == kernels::KernelMethod::kFixedTiles;
-    const bool is_exact = kernel == kernels::KernelMethod::kExact;
-    if (is_fixed) {
-      model_.name = "snapped to 1/256";
-      model_.snap = {8, SnapRule::kNearestEven};
-    }
-    model_.coordinate_limit =
-        is_fixed ? double{kernels::kFixedRange} : double{std::numeric_limits<float>::max()};
-    method_.name = "kernel-" + std::string(NameOf(kernel));
-    method_.summary = SummaryOf(kernel);
-    method_.kind = is_fixed ? "fixed point" : is_exact ? "exact" : "float32";
-    method_.target = NameOf(target);
-    method_.sink = NameOf(sink);
-    method_.model = model_.name;
-    method_.is_proved = is_fixed || is_exact;
-    method_.coordinate_limit = model_.coordinate_limit;
-    method_.vertex_bytes = sizeof(kernels::KernelVertex);
-    method_.pixel_bits = BitsOf(sink);
-  }
-
-  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
-    if (family.KernelsDrawIt()) return std::nullopt;
-    return "kernels draw float32 vertices in window space";
-  }
-
-  void Load(const FamilyInput& family) override {
-    family_ = &family;
-    surface_.emplace(sink_, family.scene.width, family.scene.height);
-    alone_.reset();
-  }
-
-  DrawTime Draw() override {
-    surface_->Clear();
-    return DrawForNothing();
-  }
-
-  DrawTime DrawForNothing() override {
-    const kernels::KernelScene scene = family_->KernelScene();
-    return Timed([&] { kernels::Draw(kernel_, target_, scene, *surface_); });
-  }
-
-  std::optional<CoverageCounts> Drawn() override {
-    if (sink_ != kernels::Sink::kFacing) return std::nullopt;
-    CoverageCounts counts(surface_->width(), surface_->height());
-    for (int y = 0; y < surface_->height(); ++y) {
-      for (int x = 0; x < surface_->width(); ++x) {
-        const std::uint64_t both = surface_->At(x, y);
-        const std::size_t i = counts.Index(x, y);
-        counts.front[i] = static_cast<std::uint32_t>(both);
-        counts.back[i] = static_cast<std::uint32_t>(both >> 32);
-      }
-    }
-    surface_->Clear();
-    return counts;
-  }
-
-  // By every instruction set and into every sink the same: tests/library/kernels_test.cc. Masks
-  // that know when they are full are the one kernel without another sink.
-  bool DrawsAlone() const override { return kernel_ != kernels::KernelMethod::kMaskRows; }
-
-  void DrawAlone(std::size_t triangle, const PixelRect& area,
-                 std::vector<std::uint8_t>& box) override {
-    if (!alone_) alone_.emplace(kernels::Sink::kCount8, surface_->width(), surface_->height());
-    kernels::KernelScene scene = family_->KernelScene();
-    scene.indices = scene.indices.subspan(3 * triangle, 3);
-    kernels::Draw(kernel_, target_, scene, *alone_);
-    const auto columns = static_cast<std::size_t>(area.x1 - area.x0);
-    for (int y = area.y0; y < area.y1; ++y) {
-      std::byte* const row = alone_->plane(0) + y * alone_->pitch() + area.x0;
-      std::memcpy(box.data() + static_cast<std::size_t>(y - area.y0) * columns, row, columns);
-      std::memset(row, 0, columns);
-    }
-  }
-
-  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
-                                       const PixelRect& target, Pixel at) override {
-    if (DrawsAlone()) return Contender::CoverAlone(triangles, target, at);
-    std::vector<std::uint8_t> covered;
-    kernels::KernelScene scene = family_->KernelScene();
-    for (const std::size_t triangle : triangles) {
-      scene.indices = std::span(family_->indices).subspan(3 * triangle, 3);
-      surface_->Clear();
-      kernels::Draw(kernel_, target_, scene, *surface_);
-      covered.push_back(surface_->At(at.x, at.y) != 0 ? 1 : 0);
-    }
-    return covered;
-  }
-
-  std::vector<PixelValues> ValuesAlone(std::size_t triangle,
-                                       std::span<const Pixel> pixels) override {
-    std::vector<PixelValues> values;
-    if (sink_ != kernels::Sink::kDepth) return values;
-    kernels::KernelScene scene = family_->KernelScene();
-    scene.indices = scene.indices.subspan(3 * triangle, 3);
-    surface_->Clear();
-    kernels::Draw(kernel_, target_, scene, *surface_);
-    for (const Pixel& at : pixels) {
-      const auto bits = static_cast<std::uint32_t>(surface_->At(at.x, at.y));
-      const auto depth = double{std::bit_cast<float>(bits)};
-      PixelValues& shown = values.emplace_back();
-      if (std::isfinite(depth)) shown.depth = depth;
-    }
-    return values;
-  }
-
-  std::uint64_t LeftBehind() override {
-    std::uint64_t left = 0;
-    if (!alone_) return left;
-    for (int y = 0; y < alone_->height(); ++y) {
-      for (int x = 0; x < alone_->width(); ++x) left += alone_->At(x, y) != 0 ? 1 : 0;
-    }
-    alone_.reset();
-    return left;
-  }
-
- private:
-  kernels::KernelMethod kernel_;
-  kernels::Target target_;
-  kernels::Sink sink_;
-  const FamilyInput* family_ = nullptr;
-  std::optional<kernels::Surface> surface_;
-  std::optional<kernels::Surface> alone_;
-};
-
 }  // namespace
 
 std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> triangles,
@@ -336,11 +173,6 @@ std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> tri
 
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
   return std::make_unique<MethodContender>(method);
-}
-
-std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method, kernels::Target target,
-                                               kernels::Sink sink) {
-  return std::make_unique<KernelContender>(method, target, sink);
 }
 
 double StoreLimit(kernels::Sink sink) {

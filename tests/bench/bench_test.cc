@@ -18,6 +18,8 @@
 #include "bench/family.h"
 #include "core/ulp.h"
 #include "exact/coverage.h"
+#include "library/kernels/kernel.h"
+#include "report/claims.h"
 
 namespace rasterproof::bench {
 namespace {
@@ -32,6 +34,7 @@ TEST(Families, AreOfFloat32AndTheSameForTheSameSeed) {
       EXPECT_TRUE(IsFloat32(v.x) && IsFloat32(v.y) && IsFloat32(v.w)) << kind.name;
     }
     EXPECT_EQ(family.KernelsDrawIt(), !family.scene.clip_space) << kind.name;
+    EXPECT_EQ(family.ClipKernelsDrawIt(), family.scene.clip_space) << kind.name;
     EXPECT_EQ(MakeFamily(kind, FamilySize::kQuick, 1).scene, family.scene) << kind.name;
     EXPECT_EQ(MakeFamily(kind, FamilySize::kQuick, 2).scene != family.scene,
               kind.is_random || kind.name == "fan" || kind.name == "mesh" || kind.is_constructed ||
@@ -101,6 +104,56 @@ TEST(RunFamily, LeavesOutWhatDoesNotDrawTheFamilyAndSaysWhy) {
   }
   EXPECT_TRUE(left_out.contains("f32-direct"));
   EXPECT_TRUE(left_out.contains("kernel-exact"));
+}
+
+TEST(RunFamily, DrawsClipSpaceByItsKernelAndAfterADivision) {
+  const BenchResult result =
+      RunOnce("perspective", {"kernel-clip", "divided-exact", "divided-scanline", "spans-known"});
+  EXPECT_EQ(RowOf(result, "kernel-clip").real.Wrong(), 0U);
+  EXPECT_EQ(RowOf(result, "kernel-clip").drawing_wrong, 0U);
+  EXPECT_EQ(RowOf(result, "spans-known").drawing_wrong, 0U);
+  // What the division rounds away, and no more.
+  for (const std::string_view name : {"divided-exact", "divided-scanline"}) {
+    EXPECT_GT(RowOf(result, name).real.Wrong(), 0U) << name;
+    EXPECT_LT(RowOf(result, name).real.displacement, 0.001) << name;
+  }
+  std::set<std::string> sinks;
+  for (const BenchRow& row : result.rows) {
+    const BenchMethod& method = result.methods[row.method];
+    if (method.name == "kernel-clip") sinks.insert(method.sink);
+  }
+  EXPECT_EQ(sinks, (std::set<std::string>{"facing", "mask"}));
+}
+
+TEST(RunFamily, NamesTheTraitsThatClaimsAskFor) {
+  std::set<std::string_view> measured;
+  for (const std::string_view family : {"ties", "perspective"}) {
+    const BenchResult result =
+        RunOnce(family, {"kernel-exact", "kernel-exact-unsafe", "kernel-scanline",
+                         "kernel-mask-rows", "kernel-clip", "divided-exact", "divided-scanline",
+                         "f64-direct", "f32-direct", "hom-f64", "spans-known"});
+    for (const report::Claim& claim : report::Claims()) {
+      if (!report::FigureOf(claim, result).cells.empty()) measured.insert(claim.id);
+    }
+  }
+  for (const std::string_view id :
+       {"exactness", "crossings", "full-tiles", "divided", "divided-floats", "textbook-doubles",
+        "textbook-floats", "textbook-stepping", "textbook-clip"}) {
+    EXPECT_TRUE(measured.contains(id)) << id;
+  }
+}
+
+TEST(OwnContenders, SayTheirTraitsAndDrawByTheTargetAskedFor) {
+  const auto least = library::kernels::SupportedTargets().front();
+  std::set<std::string> targets;
+  for (const auto& contender : OwnContenders(ContenderChoice::kFull, least)) {
+    const BenchMethod& method = contender->method();
+    targets.insert(method.target);
+    for (const std::string& trait : {method.traversal, method.arithmetic, method.space}) {
+      EXPECT_FALSE(trait.empty()) << method.name;
+    }
+  }
+  EXPECT_EQ(targets, (std::set<std::string>{"compiler", std::string(NameOf(least))}));
 }
 
 TEST(RunFamily, KernelsCountTheErrorsOfASnappedModelApart) {

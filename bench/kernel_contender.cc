@@ -1,0 +1,241 @@
+// The kernels: of window space, of clip space, after a division, and with nothing to find out.
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bench/contender.h"
+#include "bench/span_record.h"
+#include "bench/surface_contender.h"
+#include "library/kernels/kernel.h"
+
+namespace rasterproof::bench {
+namespace {
+
+namespace kernels = library::kernels;
+
+// What a kernel is, in words and by its traits.
+struct KernelWords {
+  std::string_view summary;
+  std::string_view traversal;
+  std::string_view arithmetic;
+};
+
+KernelWords WordsOf(kernels::KernelMethod method) {
+  switch (method) {
+    case kernels::KernelMethod::kIncremental:
+      return {"float32 edge functions stepped from the box's corner, by vectors", "box rows",
+              "f32-stepped by 32"};
+    case kernels::KernelMethod::kTiles:
+      return {"float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel", "tiles",
+              "f32-stepped by tile"};
+    case kernels::KernelMethod::kScanline:
+      return {"float32 crossings of edges with rows, by vectors", "spans", "f32-crossings"};
+    case kernels::KernelMethod::kFixedTiles:
+      return {"tiles on vertices snapped to 1/256 pixel", "tiles", "i32-snap8"};
+    case kernels::KernelMethod::kMaskRows:
+      return {"float32 crossings into tiles of bits that know when they are full", "full tiles",
+              "f32-crossings"};
+    case kernels::KernelMethod::kExact:
+      return {"crossings of edges with rows, decided exactly", "spans", "exact"};
+    case kernels::KernelMethod::kExactUnsafe:
+      return {"the exact kernel with what makes it exact left out", "spans", "exact, unchecked"};
+  }
+  return {};
+}
+
+void Describe(const KernelWords& words, BenchMethod& method) {
+  method.summary = words.summary;
+  method.traversal = words.traversal;
+  method.arithmetic = words.arithmetic;
+}
+
+class KernelContender final : public SurfaceContender {
+ public:
+  KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
+      : SurfaceContender(target, sink), kernel_(kernel) {
+    const bool is_fixed = kernel == kernels::KernelMethod::kFixedTiles;
+    const bool is_exact = kernel == kernels::KernelMethod::kExact;
+    if (is_fixed) {
+      model_.name = "snapped to 1/256";
+      model_.snap = {8, SnapRule::kNearestEven};
+    }
+    model_.coordinate_limit =
+        is_fixed ? double{kernels::kFixedRange} : double{std::numeric_limits<float>::max()};
+    method_.name = "kernel-" + std::string(NameOf(kernel));
+    Describe(WordsOf(kernel), method_);
+    method_.space = "window";
+    method_.kind = is_fixed ? "fixed point" : is_exact ? "exact" : "float32";
+    method_.model = model_.name;
+    method_.is_proved = is_fixed || is_exact;
+    method_.coordinate_limit = model_.coordinate_limit;
+    method_.vertex_bytes = sizeof(kernels::KernelVertex);
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (family.KernelsDrawIt()) return std::nullopt;
+    return "kernels draw float32 vertices in window space";
+  }
+  // Masks that know when they are full are the one kernel without another sink.
+  bool DrawsAlone() const override { return kernel_ != kernels::KernelMethod::kMaskRows; }
+
+ protected:
+  void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
+    kernels::KernelScene scene = family().KernelScene();
+    scene.indices = indices;
+    kernels::Draw(kernel_, target(), scene, surface);
+  }
+
+ private:
+  kernels::KernelMethod kernel_;
+};
+
+// What both ways through clip space share.
+class ClipSpaceContender : public SurfaceContender {
+ public:
+  ClipSpaceContender(kernels::Target target, kernels::Sink sink) : SurfaceContender(target, sink) {
+    model_.coordinate_limit = double{std::numeric_limits<float>::max()};
+    method_.space = "clip";
+    method_.model = model_.name;
+    method_.coordinate_limit = model_.coordinate_limit;
+    method_.vertex_bytes = sizeof(kernels::ClipVertex);
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (family.ClipKernelsDrawIt()) return std::nullopt;
+    return "it draws float32 vertices in clip space";
+  }
+};
+
+class ClipContender final : public ClipSpaceContender {
+ public:
+  ClipContender(kernels::Target target, kernels::Sink sink) : ClipSpaceContender(target, sink) {
+    method_.name = "kernel-clip";
+    Describe({"crossings of homogeneous edges with rows, decided exactly", "spans", "exact"},
+             method_);
+    method_.kind = "exact";
+    method_.is_proved = true;
+  }
+
+ protected:
+  void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
+    kernels::DrawClip(target(),
+                      {family().clip_vertices, indices, surface.width(), surface.height(),
+                       kernels::NearPlane::kNone},
+                      surface);
+  }
+};
+
+// Every draw divides all vertices by their w first, in float32.
+class DividedContender final : public ClipSpaceContender {
+ public:
+  DividedContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
+      : ClipSpaceContender(target, sink), kernel_(kernel) {
+    const KernelWords words = WordsOf(kernel);
+    method_.name = "divided-" + std::string(NameOf(kernel));
+    Describe({"", words.traversal, ""}, method_);
+    method_.summary = "x / w and y / w in float32, then " + std::string(words.summary);
+    method_.arithmetic = "f32-divided, then " + std::string(words.arithmetic);
+    method_.kind = "float32";
+  }
+
+ protected:
+  void Prepare() override {
+    using Four = float __attribute__((vector_size(16)));
+    const auto& given = family().clip_vertices;
+    // One more: four numbers are stored of a vertex that has three, its successor's first over
+    // the last of them.
+    divided_.resize(given.size() + 1);
+    auto* to = reinterpret_cast<std::byte*>(divided_.data());
+    for (const kernels::ClipVertex& v : given) {
+      Four all;
+      std::memcpy(&all, &v, sizeof all);
+      all /= Four{v.w, v.w, v.w, v.w};
+      std::memcpy(to, &all, sizeof all);
+      to += sizeof(kernels::KernelVertex);
+    }
+  }
+  void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
+    const kernels::KernelScene scene{divided_, indices, surface.width(), surface.height()};
+    kernels::Draw(kernel_, target(), scene, surface);
+  }
+
+ private:
+  kernels::KernelMethod kernel_;
+  std::vector<kernels::KernelVertex> divided_;
+};
+
+class KnownContender final : public SurfaceContender {
+ public:
+  KnownContender(kernels::Target target, kernels::Sink sink) : SurfaceContender(target, sink) {
+    method_.name = kFloor;
+    Describe({"spans that were found before, only written: the floor", "known spans", "none"},
+             method_);
+    method_.kind = "floor";
+    method_.space = "window";
+    method_.model = model_.name;
+    method_.coordinate_limit = double{std::numeric_limits<float>::max()};
+    method_.vertex_bytes = sizeof(kernels::KernelVertex);
+  }
+
+  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
+    if (family.KernelsDrawIt()) return std::nullopt;
+    if (!family.ClipKernelsDrawIt()) return "kernels find its spans, which draw float32 vertices";
+    if (sink() != kernels::Sink::kDepth) return std::nullopt;
+    return "planes of depths in clip space are found with the edges";
+  }
+
+  void Load(const FamilyInput& family) override {
+    SurfaceContender::Load(family);
+    record_ = family.ClipKernelsDrawIt()
+                  ? SpanRecord(target(), {family.clip_vertices, family.indices, family.scene.width,
+                                          family.scene.height, kernels::NearPlane::kNone})
+                  : SpanRecord(target(), family.KernelScene());
+  }
+
+  // It knows the spans of the whole family alone.
+  bool DrawsAlone() const override { return false; }
+  std::vector<PixelValues> ValuesAlone(std::size_t /*triangle*/,
+                                       std::span<const Pixel> /*pixels*/) override {
+    return {};
+  }
+
+ protected:
+  void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
+    kernels::KernelScene scene = family().KernelScene();
+    scene.indices = indices;
+    kernels::DrawKnown(target(), record_.View(), scene, surface);
+  }
+
+ private:
+  SpanRecord record_;
+};
+
+}  // namespace
+
+std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method, kernels::Target target,
+                                               kernels::Sink sink) {
+  return std::make_unique<KernelContender>(method, target, sink);
+}
+
+std::unique_ptr<Contender> MakeClipContender(kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<ClipContender>(target, sink);
+}
+
+std::unique_ptr<Contender> MakeDividedContender(kernels::KernelMethod method,
+                                                kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<DividedContender>(method, target, sink);
+}
+
+std::unique_ptr<Contender> MakeFloorContender(kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<KnownContender>(target, sink);
+}
+
+}  // namespace rasterproof::bench

@@ -16,6 +16,7 @@ struct BenchOptions {
   std::vector<std::string> programs;  ///< commands to time too, on a pipe
   bool limits = false;                ///< only find cliffs, each plugin in its own process
   std::string save;                   ///< folder for the case of each cliff; empty: none
+  std::string target;                 ///< instruction set of all kernels; empty: see bench.h
   double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
   std::string json;

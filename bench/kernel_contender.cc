@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/contender.h"
@@ -21,6 +23,8 @@ namespace {
 
 namespace kernels = library::kernels;
 
+using Drawing = std::function<void(const kernels::KernelScene&, kernels::Surface&)>;
+
 // What a kernel is, in words and by its traits.
 struct KernelWords {
   std::string_view summary;
@@ -31,18 +35,18 @@ struct KernelWords {
 KernelWords WordsOf(kernels::KernelMethod method) {
   switch (method) {
     case kernels::KernelMethod::kIncremental:
-      return {"float32 edge functions stepped from the box's corner, by vectors", "box rows",
-              "f32-stepped by 32"};
+      return {"float32 edge functions stepped from the box's corner, by vectors", "rows",
+              "f32-stepped"};
     case kernels::KernelMethod::kTiles:
       return {"float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel", "tiles",
-              "f32-stepped by tile"};
+              "f32-stepped"};
     case kernels::KernelMethod::kScanline:
-      return {"float32 crossings of edges with rows, by vectors", "spans", "f32-crossings"};
+      return {"float32 crossings of edges with rows, by vectors", "spans", "f32"};
     case kernels::KernelMethod::kFixedTiles:
-      return {"tiles on vertices snapped to 1/256 pixel", "tiles", "i32-snap8"};
+      return {"tiles on vertices snapped to 1/256 pixel", "tiles", "i32"};
     case kernels::KernelMethod::kMaskRows:
-      return {"float32 crossings into tiles of bits that know when they are full", "full tiles",
-              "f32-crossings"};
+      return {"float32 crossings into tiles of bits that know when they are full", "mask-tiles",
+              "f32"};
     case kernels::KernelMethod::kExact:
       return {"crossings of edges with rows, decided exactly", "spans", "exact"};
     case kernels::KernelMethod::kExactUnsafe:
@@ -57,10 +61,18 @@ void Describe(const KernelWords& words, BenchMethod& method) {
   method.arithmetic = words.arithmetic;
 }
 
+Drawing DrawingOf(kernels::KernelMethod kernel, kernels::Target target) {
+  return [=](const kernels::KernelScene& scene, kernels::Surface& surface) {
+    kernels::Draw(kernel, target, scene, surface);
+  };
+}
+
 class KernelContender final : public SurfaceContender {
  public:
   KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
-      : SurfaceContender(target, sink), kernel_(kernel) {
+      : SurfaceContender(target, sink),
+        draw_(DrawingOf(kernel, target)),
+        draws_alone_(kernel != kernels::KernelMethod::kMaskRows) {
     const bool is_fixed = kernel == kernels::KernelMethod::kFixedTiles;
     const bool is_exact = kernel == kernels::KernelMethod::kExact;
     if (is_fixed) {
@@ -84,17 +96,18 @@ class KernelContender final : public SurfaceContender {
     return "kernels draw float32 vertices in window space";
   }
   // Masks that know when they are full are the one kernel without another sink.
-  bool DrawsAlone() const override { return kernel_ != kernels::KernelMethod::kMaskRows; }
+  bool DrawsAlone() const override { return draws_alone_; }
 
  protected:
   void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
     kernels::KernelScene scene = family().KernelScene();
     scene.indices = indices;
-    kernels::Draw(kernel_, target(), scene, surface);
+    draw_(scene, surface);
   }
 
  private:
-  kernels::KernelMethod kernel_;
+  Drawing draw_;
+  bool draws_alone_;
 };
 
 // What both ways through clip space share.
@@ -136,13 +149,13 @@ class ClipContender final : public ClipSpaceContender {
 // Every draw divides all vertices by their w first, in float32.
 class DividedContender final : public ClipSpaceContender {
  public:
-  DividedContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
-      : ClipSpaceContender(target, sink), kernel_(kernel) {
-    const KernelWords words = WordsOf(kernel);
-    method_.name = "divided-" + std::string(NameOf(kernel));
-    Describe({"", words.traversal, ""}, method_);
-    method_.summary = "x / w and y / w in float32, then " + std::string(words.summary);
-    method_.arithmetic = "f32-divided, then " + std::string(words.arithmetic);
+  DividedContender(Drawing draw, const BenchMethod& of, kernels::Target target, kernels::Sink sink)
+      : ClipSpaceContender(target, sink), draw_(std::move(draw)) {
+    constexpr std::string_view kKernel = "kernel-";
+    method_.name = "divided-" + of.name.substr(of.name.starts_with(kKernel) ? kKernel.size() : 0);
+    method_.summary = "x / w and y / w in float32, then " + of.summary;
+    method_.traversal = of.traversal;
+    method_.arithmetic = "f32-divided, then " + of.arithmetic;
     method_.kind = "float32";
   }
 
@@ -163,12 +176,11 @@ class DividedContender final : public ClipSpaceContender {
     }
   }
   void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
-    const kernels::KernelScene scene{divided_, indices, surface.width(), surface.height()};
-    kernels::Draw(kernel_, target(), scene, surface);
+    draw_({divided_, indices, surface.width(), surface.height()}, surface);
   }
 
  private:
-  kernels::KernelMethod kernel_;
+  Drawing draw_;
   std::vector<kernels::KernelVertex> divided_;
 };
 
@@ -231,7 +243,8 @@ std::unique_ptr<Contender> MakeClipContender(kernels::Target target, kernels::Si
 
 std::unique_ptr<Contender> MakeDividedContender(kernels::KernelMethod method,
                                                 kernels::Target target, kernels::Sink sink) {
-  return std::make_unique<DividedContender>(method, target, sink);
+  return std::make_unique<DividedContender>(
+      DrawingOf(method, target), KernelContender(method, target, sink).method(), target, sink);
 }
 
 std::unique_ptr<Contender> MakeFloorContender(kernels::Target target, kernels::Sink sink) {

@@ -1,10 +1,11 @@
 #include "bench/surface_contender.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <optional>
 #include <span>
 #include <vector>
@@ -76,13 +77,17 @@ std::optional<CoverageCounts> SurfaceContender::Drawn() {
 // By every instruction set and into every sink the same: tests/library/kernels_test.cc.
 void SurfaceContender::DrawAlone(std::size_t triangle, const PixelRect& area,
                                  std::vector<std::uint8_t>& box) {
-  if (!alone_) alone_.emplace(kernels::Sink::kCount8, surface_->width(), surface_->height());
+  if (!alone_) alone_.emplace(kernels::Sink::kFacing, surface_->width(), surface_->height());
   DrawTriangles(IndicesOf(triangle), *alone_);
-  const auto columns = static_cast<std::size_t>(area.x1 - area.x0);
+  std::uint8_t* to = box.data();
   for (int y = area.y0; y < area.y1; ++y) {
-    std::byte* const row = alone_->plane(0) + y * alone_->pitch() + area.x0;
-    std::memcpy(box.data() + static_cast<std::size_t>(y - area.y0) * columns, row, columns);
-    std::memset(row, 0, columns);
+    std::array<std::uint32_t*, 2> rows{};
+    for (int facing = 0; facing < 2; ++facing) {
+      rows[static_cast<std::size_t>(facing)] =
+          reinterpret_cast<std::uint32_t*>(alone_->plane(facing)) + y * alone_->pitch();
+    }
+    for (int x = area.x0; x < area.x1; ++x) *to++ = (rows[0][x] | rows[1][x]) != 0 ? 1 : 0;
+    for (std::uint32_t* const row : rows) std::fill(row + area.x0, row + area.x1, 0U);
   }
 }
 

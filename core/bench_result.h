@@ -52,9 +52,9 @@ struct BenchMethod {
   std::string kind;     ///< "float32", "float64", "fixed point", "exact", "yours"
   std::string target;   ///< instruction set: "compiler" (the compiler's options), "avx2", ...
   std::string sink;     ///< "facing", "count8", "mask", "id", "depth"
-  /// How samples are visited: "box loop", "box rows", "tiles", "spans", "known spans"; "its own".
+  /// How samples are visited: "box loop", "rows", "tiles", "spans", "known spans"; "its own".
   std::string traversal;
-  /// In what, and in which form, they are decided: "f32-direct", "exact"; "none" of known spans.
+  /// In what, and in which form, they are decided: "f64-affine", "exact"; "none" of known spans.
   std::string arithmetic;
   std::string space;  ///< of the vertices that it reads: "window", "clip"
   /// -march of a plugin's compiler, if the file tells.

@@ -130,15 +130,16 @@ TEST(RunFamily, NamesTheTraitsThatClaimsAskFor) {
   for (const std::string_view family : {"ties", "perspective"}) {
     const BenchResult result =
         RunOnce(family, {"kernel-exact", "kernel-exact-unsafe", "kernel-scanline",
-                         "kernel-mask-rows", "kernel-clip", "divided-exact", "divided-scanline",
+                         "kernel-mask-rows", "kernel-tiles", "kernel-incremental",
+                         "kernel-fixed-tiles", "kernel-clip", "divided-exact", "divided-scanline",
                          "f64-direct", "f32-direct", "hom-f64", "spans-known"});
     for (const report::Claim& claim : report::Claims()) {
       if (!report::FigureOf(claim, result).cells.empty()) measured.insert(claim.id);
     }
   }
   for (const std::string_view id :
-       {"exactness", "crossings", "full-tiles", "divided", "divided-floats", "textbook-doubles",
-        "textbook-floats", "textbook-stepping", "textbook-clip"}) {
+       {"exactness", "floats", "full-tiles", "rows", "integers", "divided", "divided-floats",
+        "textbook-doubles", "textbook-floats", "textbook-stepping", "textbook-clip"}) {
     EXPECT_TRUE(measured.contains(id)) << id;
   }
 }

@@ -219,8 +219,10 @@ void Tell(const Claim& claim, const BenchResult& result, std::string_view widest
   const auto overlaps = std::ranges::count_if(figure.cells, &ClaimCell::Overlaps);
   const auto at_floor =
       std::ranges::count_if(figure.cells, [](const ClaimCell& cell) { return !cell.ratio; });
-  std::vector<std::string> parts;
-  if (!figure.times.empty()) parts.push_back(figure.times + " times as long as `" + figure.b + "`");
+  std::vector<std::string> parts{
+      figure.times.empty()
+          ? fmt::format("`{}` beside `{}`", figure.a, figure.b)
+          : fmt::format("`{}` takes {} times as long as `{}`", figure.a, figure.times, figure.b)};
   if (overlaps != 0) {
     parts.push_back(fmt::format("overlap in {} of {} families", overlaps, figure.cells.size()));
   }
@@ -230,9 +232,9 @@ void Tell(const Claim& claim, const BenchResult& result, std::string_view widest
   if (figure.times.empty()) figure.times = "at the floor";
   figure.a_wrong = FamiliesWrong(result, figure.cells, claim.a, widest);
   figure.b_wrong = FamiliesWrong(result, figure.cells, claim.b, widest);
-  figure.sentence += fmt::format("`{}` takes {}; they differ in {}. `{}` was {}, `{}` {}.",
-                                 figure.a, fmt::join(parts, "; "), DifferenceText(claim), figure.a,
-                                 figure.a_wrong, figure.b, figure.b_wrong);
+  figure.sentence +=
+      fmt::format("{}; they differ in {}. `{}` was {}, `{}` {}.", fmt::join(parts, "; "),
+                  DifferenceText(claim), figure.a, figure.a_wrong, figure.b, figure.b_wrong);
 }
 
 }  // namespace

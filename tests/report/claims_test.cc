@@ -16,7 +16,7 @@ namespace rasterproof::report {
 namespace {
 
 constexpr ClaimSide kSpans{"spans", "exact"};
-constexpr ClaimSide kDoubles{"spans", "f64-direct"};
+constexpr ClaimSide kDoubles{"spans", "f64"};
 
 Claim Said(const ClaimSide& a, const ClaimSide& b, std::optional<Trait> differs = {},
            std::string_view about = "Doubles") {
@@ -131,7 +131,8 @@ TEST(ClaimFigures, SayWhereTheTwoAreNotToldApart) {
   EXPECT_NE(figure.sentence.find("overlap in 1 of 1 families"), std::string::npos);
   result.rows[1].seconds = result.rows[2].seconds;  // costs what storing costs
   EXPECT_FALSE(FigureOf(kDoublesBesideExact, result).cells[0].ratio);
-  EXPECT_NE(FigureOf(kDoublesBesideExact, result).sentence.find("at the floor in 1 of 1"),
+  EXPECT_NE(FigureOf(kDoublesBesideExact, result)
+                .sentence.find("`doubles avx2` beside `exact avx2`; at the floor in 1 of 1"),
             std::string::npos);
 }
 

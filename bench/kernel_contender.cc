@@ -23,7 +23,7 @@ namespace {
 
 namespace kernels = library::kernels;
 
-using Drawing = std::function<void(const kernels::KernelScene&, kernels::Surface&)>;
+using KernelDrawing = std::function<void(const kernels::KernelScene&, kernels::Surface&)>;
 
 // What a kernel is, in words and by its traits.
 struct KernelWords {
@@ -61,7 +61,7 @@ void Describe(const KernelWords& words, BenchMethod& method) {
   method.arithmetic = words.arithmetic;
 }
 
-Drawing DrawingOf(kernels::KernelMethod kernel, kernels::Target target) {
+KernelDrawing DrawingOf(kernels::KernelMethod kernel, kernels::Target target) {
   return [=](const kernels::KernelScene& scene, kernels::Surface& surface) {
     kernels::Draw(kernel, target, scene, surface);
   };
@@ -106,7 +106,7 @@ class KernelContender final : public SurfaceContender {
   }
 
  private:
-  Drawing draw_;
+  KernelDrawing draw_;
   bool draws_alone_;
 };
 
@@ -149,7 +149,8 @@ class ClipContender final : public ClipSpaceContender {
 // Every draw divides all vertices by their w first, in float32.
 class DividedContender final : public ClipSpaceContender {
  public:
-  DividedContender(Drawing draw, const BenchMethod& of, kernels::Target target, kernels::Sink sink)
+  DividedContender(KernelDrawing draw, const BenchMethod& of, kernels::Target target,
+                   kernels::Sink sink)
       : ClipSpaceContender(target, sink), draw_(std::move(draw)) {
     constexpr std::string_view kKernel = "kernel-";
     method_.name = "divided-" + of.name.substr(of.name.starts_with(kKernel) ? kKernel.size() : 0);
@@ -180,7 +181,7 @@ class DividedContender final : public ClipSpaceContender {
   }
 
  private:
-  Drawing draw_;
+  KernelDrawing draw_;
   std::vector<kernels::KernelVertex> divided_;
 };
 

@@ -63,7 +63,7 @@ std::string Coloured(char c, std::string_view code) {
 }
 
 // One pixel in one of the panels.
-std::string Cell(const Pixel& pixel, std::size_t panel, bool colour) {
+std::string PixelCell(const Pixel& pixel, std::size_t panel, bool colour) {
   if (panel == 2) {
     const char c = StateCharacter(pixel.state);
     return colour ? Coloured(c, StateCode(pixel.state)) : std::string(1, c);
@@ -85,7 +85,7 @@ std::string Row(const Explanation& explanation, const PixelRect& view, int y, st
     const bool closes = here && x == explanation.focus_x + 1 && x > view.x0;
     row += opens ? '[' : closes ? ']' : ' ';
     if (x == view.x1) break;
-    row += Cell(PixelAt(explanation.observed, explanation.expected, x, y), panel, colour);
+    row += PixelCell(PixelAt(explanation.observed, explanation.expected, x, y), panel, colour);
   }
   return row;
 }

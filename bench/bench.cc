@@ -189,6 +189,25 @@ void AddTimes(const Run& run, const Run& base, const BenchFamily& described, Ben
   row.binds_at_store = row.time.median < 2 * stored;
 }
 
+// All that draw by vectors, and their floor.
+void AddKernels(kernels::Target target, kernels::Sink sink,
+                std::vector<std::unique_ptr<Contender>>& contenders) {
+  for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
+    contenders.push_back(MakeKernelContender(kernel, target, sink));
+  }
+  for (const library::rivals::Rival& rival : library::rivals::kRivals) {
+    if (Draws(rival, target, sink)) contenders.push_back(MakeRivalContender(rival, target, sink));
+  }
+  contenders.push_back(MakeClipContender(target, sink));
+  contenders.push_back(MakeDividedContender(kernels::KernelMethod::kExact, target, sink));
+  const library::rivals::Rival scanline{library::rivals::Traversal::kSpans,
+                                        library::rivals::Arithmetic::kFloat32Direct};
+  if (Draws(scanline, target, sink)) {
+    contenders.push_back(MakeDividedContender(scanline, target, sink));
+  }
+  contenders.push_back(MakeFloorContender(target, sink));
+}
+
 }  // namespace
 
 bool IsTwin(std::string_view name) { return name.ends_with(kAgain); }
@@ -198,7 +217,8 @@ bool IsBaseline(std::string_view name) {
   return name == kBaseline || name == kClipBaseline;
 }
 
-std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
+std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice,
+                                                      std::optional<kernels::Target> target) {
   std::vector<std::unique_ptr<Contender>> contenders;
   for (const std::string_view name : {kBaseline, kClipBaseline}) {
     const reference::Method& method = *reference::FindMethod(name);
@@ -209,21 +229,17 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice) {
     if (method.name == kBaseline || method.name == kClipBaseline) continue;
     contenders.push_back(MakeMethodContender(method));
   }
-  const auto targets = kernels::SupportedTargets();
   const bool is_full = choice == ContenderChoice::kFull;
-  for (const kernels::Target target : targets) {
-    const bool is_widest = target == targets.back();
-    if (!is_full && !is_widest) continue;
+  std::span<const kernels::Target> targets = kernels::SupportedTargets();
+  if (target) {
+    targets = std::span(&*target, 1);
+  } else if (!is_full) {
+    targets = targets.last(1);
+  }
+  for (const kernels::Target each : targets) {
     for (const kernels::Sink sink : kernels::kSinks) {
       const bool is_quick = sink == kernels::Sink::kFacing || sink == kernels::Sink::kMask;
-      if (!is_full && !is_quick) continue;
-      for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
-        contenders.push_back(MakeKernelContender(kernel, target, sink));
-      }
-      for (const library::rivals::Rival& rival : library::rivals::kRivals) {
-        if (!Draws(rival, target, sink)) continue;
-        contenders.push_back(MakeRivalContender(rival, target, sink));
-      }
+      if (is_full || is_quick) AddKernels(each, sink, contenders);
     }
   }
   return contenders;

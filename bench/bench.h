@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "bench/contender.h"
 #include "bench/family.h"
 #include "core/bench_result.h"
+#include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
 
@@ -48,8 +50,10 @@ enum class ContenderChoice : std::uint8_t {
   kFull
 };
 
-/// The project's own: every method of the table, every kernel; the baselines and their twins first.
-std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice);
+/// The project's own: every method of the table, every kernel, the floors; the baselines and their
+/// twins first. With a target, which is one of SupportedTargets(), kernels draw by it alone.
+std::vector<std::unique_ptr<Contender>> OwnContenders(
+    ContenderChoice choice, std::optional<library::kernels::Target> target = {});
 
 /// Adds the measurements of one family to the result. Every contender that draws the family draws
 /// it once a round, after a draw that is not counted. A user's whose draws would take longer than

@@ -2,18 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -53,6 +48,10 @@ class MethodContender final : public Contender {
     method_.kind = KindOf(info);
     method_.target = "compiler";
     method_.sink = NameOf(kernels::Sink::kFacing);
+    // What draws whole scenes at once is a kernel under another name.
+    method_.traversal = table_row.whole != nullptr ? "a kernel's" : "box loop";
+    method_.arithmetic = table_row.name;
+    method_.space = info.takes_window ? "window" : "clip";
     method_.model = info.profile.name;
     method_.is_proved = info.states_exact;
     method_.coordinate_limit = info.profile.coordinate_limit;
@@ -159,187 +158,6 @@ class MethodContender final : public Contender {
   Scene alone_;
 };
 
-std::string_view SummaryOf(kernels::KernelMethod method) {
-  switch (method) {
-    case kernels::KernelMethod::kExact:
-      return "crossings of edges with rows, decided exactly";
-    case kernels::KernelMethod::kExactUnsafe:
-      return "the exact kernel with what makes it exact left out";
-  }
-  return "";
-}
-
-std::uint64_t BitsOf(kernels::Sink sink) {
-  switch (sink) {
-    case kernels::Sink::kCount8:
-      return 8;
-    case kernels::Sink::kFacing:
-      return 64;
-    case kernels::Sink::kMask:
-      return 1;
-    case kernels::Sink::kId:
-    case kernels::Sink::kDepth:
-      return 32;
-  }
-  return 0;
-}
-
-// A kernel, or a rival of it.
-class KernelContender final : public Contender {
- public:
-  using Drawing = std::function<void(const kernels::KernelScene&, kernels::Surface&)>;
-
-  KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
-      : draw_([=](const kernels::KernelScene& scene, kernels::Surface& surface) {
-          kernels::Draw(kernel, target, scene, surface);
-        }),
-        sink_(sink) {
-    const bool is_exact = kernel == kernels::KernelMethod::kExact;
-    model_.coordinate_limit = double{std::numeric_limits<float>::max()};
-    method_.name = "kernel-" + std::string(NameOf(kernel));
-    method_.summary = SummaryOf(kernel);
-    method_.kind = is_exact ? "exact" : "float32";
-    method_.is_proved = is_exact;
-    Describe(target);
-  }
-
-  KernelContender(const rivals::Rival& rival, kernels::Target target, kernels::Sink sink)
-      : draw_([=](const kernels::KernelScene& scene, kernels::Surface& surface) {
-          rivals::Draw(rival, target, scene, surface);
-        }),
-        sink_(sink),
-        draws_alone_(rival.traversal != rivals::Traversal::kMaskTiles) {
-    model_.coordinate_limit = double{std::numeric_limits<float>::max()};
-    method_.kind = NameOf(rival.arithmetic).starts_with("f64") ? "float64" : "float32";
-    if (Snaps(rival.arithmetic)) {
-      model_.name = "snapped to 1/256";
-      model_.snap = {8, SnapRule::kNearestEven};
-      model_.coordinate_limit = double{rivals::kFixedRange};
-      method_.kind = "fixed point";
-      method_.is_proved = rival.traversal == rivals::Traversal::kTiles;
-    }
-    method_.name = NameOf(rival);
-    method_.summary = SummaryOf(rival);
-    Describe(target);
-  }
-
-  void Describe(kernels::Target target) {
-    method_.target = NameOf(target);
-    method_.sink = NameOf(sink_);
-    method_.model = model_.name;
-    method_.coordinate_limit = model_.coordinate_limit;
-    method_.vertex_bytes = sizeof(kernels::KernelVertex);
-    method_.pixel_bits = BitsOf(sink_);
-  }
-
-  std::optional<std::string> WhyNot(const FamilyInput& family) const override {
-    if (family.KernelsDrawIt()) return std::nullopt;
-    return "kernels draw float32 vertices in window space";
-  }
-
-  void Load(const FamilyInput& family) override {
-    family_ = &family;
-    surface_.emplace(sink_, family.scene.width, family.scene.height);
-    alone_.reset();
-  }
-
-  DrawTime Draw() override {
-    surface_->Clear();
-    return DrawForNothing();
-  }
-
-  DrawTime DrawForNothing() override {
-    const kernels::KernelScene scene = family_->KernelScene();
-    return Timed([&] { draw_(scene, *surface_); });
-  }
-
-  std::optional<CoverageCounts> Drawn() override {
-    if (sink_ != kernels::Sink::kFacing) return std::nullopt;
-    CoverageCounts counts(surface_->width(), surface_->height());
-    for (int y = 0; y < surface_->height(); ++y) {
-      for (int x = 0; x < surface_->width(); ++x) {
-        const std::uint64_t both = surface_->At(x, y);
-        const std::size_t i = counts.Index(x, y);
-        counts.front[i] = static_cast<std::uint32_t>(both);
-        counts.back[i] = static_cast<std::uint32_t>(both >> 32);
-      }
-    }
-    surface_->Clear();
-    return counts;
-  }
-
-  // By every instruction set and into every sink the same: tests/library/kernels_test.cc. Masks
-  // that know when they are full are the one kernel without another sink.
-  bool DrawsAlone() const override { return draws_alone_; }
-
-  void DrawAlone(std::size_t triangle, const PixelRect& area,
-                 std::vector<std::uint8_t>& box) override {
-    if (!alone_) alone_.emplace(kernels::Sink::kFacing, surface_->width(), surface_->height());
-    kernels::KernelScene scene = family_->KernelScene();
-    scene.indices = scene.indices.subspan(3 * triangle, 3);
-    draw_(scene, *alone_);
-    std::uint8_t* to = box.data();
-    for (int y = area.y0; y < area.y1; ++y) {
-      std::array<std::uint32_t*, 2> rows{};
-      for (int facing = 0; facing < 2; ++facing) {
-        rows[static_cast<std::size_t>(facing)] =
-            reinterpret_cast<std::uint32_t*>(alone_->plane(facing)) + y * alone_->pitch();
-      }
-      for (int x = area.x0; x < area.x1; ++x) *to++ = (rows[0][x] | rows[1][x]) != 0 ? 1 : 0;
-      for (std::uint32_t* const row : rows) std::fill(row + area.x0, row + area.x1, 0U);
-    }
-  }
-
-  std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
-                                       const PixelRect& target, Pixel at) override {
-    if (DrawsAlone()) return Contender::CoverAlone(triangles, target, at);
-    std::vector<std::uint8_t> covered;
-    kernels::KernelScene scene = family_->KernelScene();
-    for (const std::size_t triangle : triangles) {
-      scene.indices = std::span(family_->indices).subspan(3 * triangle, 3);
-      surface_->Clear();
-      draw_(scene, *surface_);
-      covered.push_back(surface_->At(at.x, at.y) != 0 ? 1 : 0);
-    }
-    return covered;
-  }
-
-  std::vector<PixelValues> ValuesAlone(std::size_t triangle,
-                                       std::span<const Pixel> pixels) override {
-    std::vector<PixelValues> values;
-    if (sink_ != kernels::Sink::kDepth) return values;
-    kernels::KernelScene scene = family_->KernelScene();
-    scene.indices = scene.indices.subspan(3 * triangle, 3);
-    surface_->Clear();
-    draw_(scene, *surface_);
-    for (const Pixel& at : pixels) {
-      const auto bits = static_cast<std::uint32_t>(surface_->At(at.x, at.y));
-      const auto depth = double{std::bit_cast<float>(bits)};
-      PixelValues& shown = values.emplace_back();
-      if (std::isfinite(depth)) shown.depth = depth;
-    }
-    return values;
-  }
-
-  std::uint64_t LeftBehind() override {
-    std::uint64_t left = 0;
-    if (!alone_) return left;
-    for (int y = 0; y < alone_->height(); ++y) {
-      for (int x = 0; x < alone_->width(); ++x) left += alone_->At(x, y) != 0 ? 1 : 0;
-    }
-    alone_.reset();
-    return left;
-  }
-
- private:
-  Drawing draw_;
-  kernels::Sink sink_;
-  bool draws_alone_ = true;
-  const FamilyInput* family_ = nullptr;
-  std::optional<kernels::Surface> surface_;
-  std::optional<kernels::Surface> alone_;
-};
-
 }  // namespace
 
 std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> triangles,
@@ -357,16 +175,6 @@ std::vector<std::uint8_t> Contender::CoverAlone(std::span<const std::size_t> tri
 
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method) {
   return std::make_unique<MethodContender>(method);
-}
-
-std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method, kernels::Target target,
-                                               kernels::Sink sink) {
-  return std::make_unique<KernelContender>(method, target, sink);
-}
-
-std::unique_ptr<Contender> MakeRivalContender(const rivals::Rival& rival, kernels::Target target,
-                                              kernels::Sink sink) {
-  return std::make_unique<KernelContender>(rival, target, sink);
 }
 
 double StoreLimit(kernels::Sink sink) {

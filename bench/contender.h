@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bench/family.h"
@@ -119,6 +120,30 @@ std::unique_ptr<Contender> MakeRivalContender(const library::rivals::Rival& riva
                                               library::kernels::Target target,
                                               library::kernels::Sink sink);
 
+/// The kernel of clip space.
+///
+/// Domain:     as MakeKernelContender.
+std::unique_ptr<Contender> MakeClipContender(library::kernels::Target target,
+                                             library::kernels::Sink sink);
+
+/// A kernel of window space, or a rival, after a division by w in float32, which each draw does again.
+///
+/// Domain:     as MakeKernelContender.
+std::unique_ptr<Contender> MakeDividedContender(library::kernels::KernelMethod method,
+                                                library::kernels::Target target,
+                                                library::kernels::Sink sink);
+std::unique_ptr<Contender> MakeDividedContender(const library::rivals::Rival& rival,
+                                                library::kernels::Target target,
+                                                library::kernels::Sink sink);
+
+/// The spans of the exact kernel, or of that of clip space, found before and only written: what any
+/// method pays for the sink.
+///
+/// Domain:     as MakeKernelContender.
+inline constexpr std::string_view kFloor = "spans-known";
+std::unique_ptr<Contender> MakeFloorContender(library::kernels::Target target,
+                                              library::kernels::Sink sink);
+
 /// A user's subject in this process, into what it shows. Its time is that of a draw less that of a
 /// draw of the same vertices without triangles, the conversion, which is reported separately.
 ///
@@ -128,8 +153,8 @@ std::unique_ptr<Contender> MakeRivalContender(const library::rivals::Rival& riva
 /// Domain:     one sample a pixel, in its centre; the subjects outlive the contender. A subject in
 ///             another process has a limit of its own, `most_seconds`, for a draw.
 /// Error:      of Load(): what `first` throws.
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first = nullptr,
-                                                double most_seconds = 10);
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, std::string march = "",
+                                                Subject* first = nullptr, double most_seconds = 10);
 
 /// A user's subject in another process. Its time is the slope of the processor time of all its
 /// threads over k, 2 k and 4 k draws: of repeats in one request, so that starting, reading and

@@ -345,10 +345,17 @@ FamilyInput FamilyOf(Scene scene, std::string summary) {
   input.name = scene.name;
   input.summary = std::move(summary);
   input.scene = std::move(scene);
-  if (!reference::KernelsTake(input.scene)) return input;
+  const bool is_clip = reference::ClipKernelTakes(input.scene);
+  if (!is_clip && !reference::KernelsTake(input.scene)) return input;
   for (const Vertex& v : input.scene.vertices) {
-    input.vertices.push_back(
-        {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)});
+    const auto x = static_cast<float>(v.x);
+    const auto y = static_cast<float>(v.y);
+    const auto z = static_cast<float>(v.z);
+    if (is_clip) {
+      input.clip_vertices.push_back({x, y, z, static_cast<float>(v.w)});
+    } else {
+      input.vertices.push_back({x, y, z});
+    }
   }
   for (const Triangle& t : input.scene.triangles) {
     for (const std::int32_t index : t) input.indices.push_back(static_cast<std::uint32_t>(index));

@@ -22,13 +22,16 @@ struct FamilyInput {
   std::string name;
   std::string summary;
   Scene scene;
-  /// The same for kernels; empty where they do not draw it: clip space, or float64.
+  /// The same for kernels, of window space or of clip space; empty of the other one, and where
+  /// float32 does not hold them.
   std::vector<library::kernels::KernelVertex> vertices;
+  std::vector<library::kernels::ClipVertex> clip_vertices;
   std::vector<std::uint32_t> indices;
   bool is_constructed = false;
   bool is_random = false;
 
-  bool KernelsDrawIt() const { return !indices.empty(); }
+  bool KernelsDrawIt() const { return !vertices.empty(); }
+  bool ClipKernelsDrawIt() const { return !clip_vertices.empty(); }
   library::kernels::KernelScene KernelScene() const {
     return {vertices, indices, scene.width, scene.height};
   }

@@ -1,7 +1,6 @@
 #include "bench/paired.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -10,23 +9,6 @@
 #include "core/bench_result.h"
 
 namespace rasterproof::bench {
-namespace {
-
-// How many values are cut off at either end: the largest k with P(fewer than k of n coins show
-// heads) <= 2.5 %.
-std::size_t CutOff(std::size_t n) {
-  double probability = std::pow(0.5, static_cast<double>(n));  // of exactly k heads
-  double below = 0;
-  std::size_t k = 0;
-  while (below + probability <= 0.025) {
-    below += probability;
-    probability *= static_cast<double>(n - k) / static_cast<double>(k + 1);
-    ++k;
-  }
-  return k == 0 ? 0 : k - 1;
-}
-
-}  // namespace
 
 std::vector<std::size_t> RoundOrder(std::size_t count, std::size_t round) {
   // The first row of the square is 0, 1, n-1, 2, n-2, ...: neighbours differ by every step once.
@@ -38,14 +20,6 @@ std::vector<std::size_t> RoundOrder(std::size_t count, std::size_t round) {
   // The mirrored rows balance the followers where the count is odd.
   if (round % 2 == 1) std::ranges::reverse(order);
   return order;
-}
-
-Interval MedianInterval(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t n = values.size();
-  const std::size_t cut = CutOff(n);
-  const double median = (values[(n - 1) / 2] + values[n / 2]) / 2;
-  return {.low = values[cut], .median = median, .high = values[n - 1 - cut]};
 }
 
 Interval RatioInterval(std::span<const double> seconds, std::span<const double> baseline) {

@@ -17,15 +17,6 @@ namespace rasterproof::bench {
 /// Source:     Williams, Australian Journal of Scientific Research A 2 (1949).
 std::vector<std::size_t> RoundOrder(std::size_t count, std::size_t round);
 
-/// Returns the median with the interval that holds the true median with at least 95 %, from a sign
-/// test: two order statistics.
-///
-/// Domain:     at least one value. Below six values no two of them hold it with 95 %: the interval
-///             is all of them.
-/// Properties: presupposes independent values, and nothing of how they are distributed.
-/// Source:     Conover, Practical Nonparametric Statistics, section 3.2.
-Interval MedianInterval(std::vector<double> values);
-
 /// The interval of the ratio from pairs of one round each.
 ///
 /// Shape:      as many of either; the shorter one's length counts.

@@ -37,6 +37,8 @@ class SubjectContender : public Contender {
     method_.kind = "yours";
     method_.target = "its own";
     method_.sink = NameOf(library::kernels::Sink::kFacing);
+    method_.traversal = method_.arithmetic = "its own";
+    method_.space = info.takes_window ? "window" : "clip";
     method_.model = info.profile.name;
     method_.is_users = true;
     method_.coordinate_limit = info.profile.coordinate_limit;
@@ -185,8 +187,10 @@ void InTime(double seconds, const Draw& draw) {
 
 class LibraryContender final : public SubjectContender {
  public:
-  LibraryContender(Subject& subject, Subject* first, double most_seconds)
-      : SubjectContender(subject), first_(first), most_seconds_(most_seconds) {}
+  LibraryContender(Subject& subject, std::string march, Subject* first, double most_seconds)
+      : SubjectContender(subject), first_(first), most_seconds_(most_seconds) {
+    method_.march = std::move(march);
+  }
 
   void Load(const FamilyInput& family) override {
     SubjectContender::Load(family);
@@ -305,9 +309,9 @@ class ProgramContender final : public SubjectContender {
 
 }  // namespace
 
-std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, Subject* first,
+std::unique_ptr<Contender> MakeSubjectContender(Subject& subject, std::string march, Subject* first,
                                                 double most_seconds) {
-  return std::make_unique<LibraryContender>(subject, first, most_seconds);
+  return std::make_unique<LibraryContender>(subject, std::move(march), first, most_seconds);
 }
 
 std::unique_ptr<Contender> MakeProgramContender(Subject& subject, double most_seconds,

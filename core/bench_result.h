@@ -25,6 +25,15 @@ struct Interval {
   friend bool operator==(const Interval&, const Interval&) = default;
 };
 
+/// Returns the median with the interval that holds the true median with at least 95 %, from a sign
+/// test: two order statistics.
+///
+/// Domain:     at least one value. Below six values no two of them hold it with 95 %: the interval
+///             is all of them.
+/// Properties: presupposes independent values, and nothing of how they are distributed.
+/// Source:     Conover, Practical Nonparametric Statistics, section 3.2.
+Interval MedianInterval(std::vector<double> values);
+
 /// Returns whether two intervals have no number in common.
 inline bool AreApart(const Interval& a, const Interval& b) {
   return a.high < b.low || b.high < a.low;
@@ -44,7 +53,14 @@ struct BenchMethod {
   std::string kind;     ///< "float32", "float64", "fixed point", "exact", "yours"
   std::string target;   ///< instruction set: "compiler" (the compiler's options), "avx2", ...
   std::string sink;     ///< "facing", "count8", "mask", "id", "depth"
-  std::string model;    ///< name of the profile that it is held to; "real" for real geometry
+  /// How samples are visited: "box loop", "rows", "tiles", "spans", "known spans"; "its own".
+  std::string traversal;
+  /// In what, and in which form, they are decided: "f64-affine", "exact"; "none" of known spans.
+  std::string arithmetic;
+  std::string space;  ///< of the vertices that it reads: "window", "clip"
+  /// -march of a plugin's compiler, if the file tells.
+  std::string march;
+  std::string model;  ///< name of the profile that it is held to; "real" for real geometry
   BenchClock clock = BenchClock::kThread;
   /// 0 wrong samples are proved of it: against its own model, inside its limit.
   bool is_proved = false;
@@ -246,6 +262,10 @@ struct BenchSetting {
   std::string date;
   std::uint64_t seed = 0;
   bool is_quick = false;  ///< families of an eighth of their size
+  /// How many processes wanted a processor, a mean over a minute, as the run began and ended. NaN:
+  /// not said.
+  double load_before = std::numeric_limits<double>::quiet_NaN();
+  double load_after = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A whole run. Times mean something only beside others of the same run.

@@ -23,6 +23,7 @@
 #include "io/scene_json.h"
 #include "report/bench_decision.h"
 #include "report/bench_members.h"
+#include "report/claims.h"
 
 namespace rasterproof::report {
 namespace {
@@ -80,6 +81,7 @@ class BenchWriter {
   bool Has(std::string_view, bool is_there) const { return is_there; }
   void Version(std::string_view key) { json_.Key(key).Integer(kVersion); }
   void Decisions(std::string_view key);
+  void Claims(std::string_view key);
   const BenchResult& result() const { return result_; }
 
   template <class T>
@@ -143,6 +145,40 @@ void BenchWriter::Decisions(std::string_view key) {
   json_.EndArray();
 }
 
+void BenchWriter::Claims(std::string_view key) {
+  json_.Key(key).BeginArray();
+  for (const Claim& claim : report::Claims()) {
+    const ClaimFigure figure = FigureOf(claim, result_);
+    json_.BeginObject();
+    json_.Key("id").Text(claim.id);
+    json_.Key("about").Text(claim.about);
+    json_.Key("differ_in").Text(DifferenceText(claim));
+    json_.Key("like_for_like").Bool(claim.differs.has_value());
+    json_.Key("sink").Text(claim.a.sink);
+    json_.Key("a").Text(figure.a);
+    json_.Key("b").Text(figure.b);
+    json_.Key("times").Text(figure.times);
+    json_.Key("a_wrong").Text(figure.a_wrong);
+    json_.Key("b_wrong").Text(figure.b_wrong);
+    json_.Key("sentence").Text(figure.sentence);
+    json_.Key("families").BeginArray();
+    for (const ClaimCell& cell : figure.cells) {
+      json_.BeginObjectLine();
+      json_.Key("family").Text(result_.families[cell.family].name);
+      if (cell.ratio) {
+        Interval ratio = *cell.ratio;
+        json_.Key("ratio");
+        Write(ratio);
+      }
+      json_.Key("overlap").Bool(cell.Overlaps());
+      json_.EndObject();
+    }
+    json_.EndArray();
+    json_.EndObject();
+  }
+  json_.EndArray();
+}
+
 // Visits the members of an object and reads them. Without an object it lists their keys instead,
 // those included that may be missing.
 class BenchReader {
@@ -176,6 +212,7 @@ class BenchReader {
   void Decisions(std::string_view key) {
     if (!object_) Get(key);
   }
+  void Claims(std::string_view key) { Decisions(key); }
   const BenchResult& result() const { return result_; }
 
   template <class T>

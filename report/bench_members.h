@@ -3,6 +3,7 @@
 #define RASTERPROOF_REPORT_BENCH_MEMBERS_H_
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <tuple>
@@ -68,6 +69,15 @@ void Members(auto& visit, BenchMethod& method) {
   visit("vertex_bytes", method.vertex_bytes);
   visit("pixel_bits", method.pixel_bits);
   visit("times_requests", method.times_requests);
+  // What older files do not say.
+  bool has_traits = !method.traversal.empty();
+  if (visit.Has("traversal", has_traits)) {
+    visit("traversal", method.traversal);
+    visit("arithmetic", method.arithmetic);
+    visit("space", method.space);
+  }
+  bool has_march = !method.march.empty();
+  if (visit.Has("march", has_march)) visit("march", method.march);
 }
 
 void Members(auto& visit, BenchFamily& family) {
@@ -236,7 +246,8 @@ void Members(auto& visit, ValueBenchLimit& limit) {
   visit("fails_at", limit.fails_at);
 }
 
-/// Besides its members, the file begins with its version and has the decisions after `left_out`.
+/// Besides its members, the file begins with its version and has the decisions and claims after
+/// `left_out`.
 void Members(auto& visit, BenchResult& result) {
   visit.Version("rasterproof_bench");
   visit("processor", result.setting.processor);
@@ -247,6 +258,11 @@ void Members(auto& visit, BenchResult& result) {
   visit("date", result.setting.date);
   visit("seed", AsText{result.setting.seed});
   visit("quick", result.setting.is_quick);
+  bool has_load = !std::isnan(result.setting.load_before);
+  if (visit.Has("load_before", has_load)) {
+    visit("load_before", Rounded{result.setting.load_before});
+    visit("load_after", Rounded{result.setting.load_after});
+  }
   visit("methods", result.methods);
   visit("families", result.families);
   visit("rows", result.rows);
@@ -254,6 +270,7 @@ void Members(auto& visit, BenchResult& result) {
   bool lacks_some = !result.not_measured.empty();
   if (visit.Has("not_measured", lacks_some)) visit("not_measured", result.not_measured);
   visit.Decisions("decisions");
+  visit.Claims("claims");
   visit("parameters", result.parameters);
   visit("curves", result.curves);
   visit("cliffs", result.cliffs);

@@ -97,8 +97,9 @@ std::string SettingText(const BenchResult& bench) {
   return fmt::format(
       "<p class=\"why\">Measured on {}, {}, by {}. Processor time of one draw, median of paired "
       "rounds, the target cleared before it. The baseline measured against itself: {:.3f} to "
-      "{:.3f}, the floor of the noise.{} {}</p>\n{}",
+      "{:.3f}, the floor of the noise. {}{} {}</p>\n{}",
       Escaped(setting.processor), Escaped(setting.date), Escaped(setting.compiler), least, most,
+      LoadText(setting),
       setting.is_quick ? " A quick run: families of an eighth of their size." : "",
       Escaped(NotMeasuredText(bench)), Command(setting.command));
 }
@@ -179,8 +180,9 @@ std::string BenchSections(const BenchResult& bench, std::string_view folder) {
   html += section("yours", "Yours beside them", "The same inputs, the same run, the same judge.",
                   Yours(bench, folder));
   html += section("advice", "Textbook advice, measured",
-                  "Each beside the cheapest method that is proved right, family by family.",
-                  AdviceTable(bench));
+                  "Each by two methods that differ in one thing, in the same sink and by the same "
+                  "vectors, less what the sink costs.",
+                  ClaimTable(bench));
   html += section("pareto", "Error against run time",
                   "A point is a method. Left is fast, low is right; nothing beats the points on "
                   "the line.",

@@ -27,8 +27,8 @@ std::string RemarkText(const BenchResult& bench, const BenchRow& row);
 
 /// Of each family and need the cheapest method.
 std::string DecisionTable(const BenchResult& bench);
-/// A row a piece of textbook advice: what following it costs and what it gets wrong.
-std::string AdviceTable(const BenchResult& bench);
+/// A row a claim of claims.h: how long its methods take, and in what they differ.
+std::string ClaimTable(const BenchResult& bench);
 /// A row a family of each method of the user's: beside the fastest and the proved.
 std::string UsersTable(const BenchResult& bench);
 

@@ -1,9 +1,8 @@
-// The tables that decide: by need, by textbook advice, of the user's own.
+// The tables that decide: by need, by claims, of the user's own.
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +12,8 @@
 #include "fmt/format.h"
 #include "report/bench_decision.h"
 #include "report/bench_page_parts.h"
+#include "report/bench_text.h"
+#include "report/claims.h"
 #include "report/page_parts.h"
 #include "report/text.h"
 
@@ -83,62 +84,38 @@ std::string DecisionRow(const BenchResult& bench, std::uint32_t family) {
   return html + "</tr>\n";
 }
 
-// A method beside the cheapest proved one, over the families where both stand.
-struct Beside {
-  std::size_t families = 0;
-  double least_ratio = std::numeric_limits<double>::infinity();
-  double most_ratio = 0;
-  std::size_t wrong_in = 0;
-  std::size_t leaks_in = 0;
-  double farthest = 0;
-};
-
-Beside BesideProved(const BenchResult& bench, std::string_view name) {
-  Beside beside;
-  for (const BenchRow& row : bench.rows) {
-    const BenchMethod& method = bench.methods[row.method];
-    if (method.name != name || method.sink != kCommonSink || !row.is_judged) continue;
-    const std::optional<Decision> proved = Decide(bench, row.family, Need::kProvedZero);
-    if (!proved) continue;
-    const double ratio = row.time.median / proved->row->time.median;
-    ++beside.families;
-    beside.least_ratio = std::min(beside.least_ratio, ratio);
-    beside.most_ratio = std::max(beside.most_ratio, ratio);
-    if (row.real.Wrong() != 0) ++beside.wrong_in;
-    if (row.leaks.Sum() != 0) ++beside.leaks_in;
-    beside.farthest = std::max(beside.farthest, row.real.displacement);
+// Names in backticks, as the documents have them.
+std::string WithNames(const std::string& text) {
+  std::string html;
+  bool is_name = false;
+  for (const char c : Escaped(text)) {
+    if (c != '`') {
+      html += c;
+    } else {
+      html += is_name ? "</span>" : "<span class=\"name\">";
+      is_name = !is_name;
+    }
   }
-  return beside;
+  return html;
 }
 
-struct Advice {
-  std::string_view text;
-  std::string_view method;
-  std::string_view remark;
-};
+std::string ClaimCells(const BenchResult& bench, const ClaimCell& cell) {
+  const std::string name = Escaped(bench.families[cell.family].name);
+  if (!cell.ratio) return fmt::format("<li>{}: at the floor</li>", name);
+  return fmt::format("<li>{}: {:.3g} [{:.3g}, {:.3g}]{}</li>", name, cell.ratio->median,
+                     cell.ratio->low, cell.ratio->high, cell.Overlaps() ? ", overlap" : "");
+}
 
-constexpr std::array kAdvice{
-    Advice{"Use doubles", "f64-direct",
-           "that none was wrong here proves nothing of constructed input"},
-    Advice{"Float32 is good enough", "f32-direct", "five operations a sample"},
-    Advice{"Step, don't multiply", "f32-incremental",
-           "one addition a pixel, and each waits for the one before it"},
-    Advice{"A x + B y + C is the same", "f32-affine", "it is not: C cancels"},
-    Advice{"Snap to 1/256 and be safe", "i64-snap8",
-           "right by its own model, off real geometry by what snapping moves"},
-    Advice{"Divide by w first", "hom-projected-f32", "clip space alone; wrong for w at most 0"}};
-
-std::string AdviceRow(const BenchResult& bench, const Advice& advice) {
-  const Beside beside = BesideProved(bench, advice.method);
-  if (beside.families == 0) return {};
+std::string RowOfClaim(const BenchResult& bench, const Claim& claim) {
+  const ClaimFigure figure = FigureOf(claim, bench);
+  if (figure.cells.empty()) return {};
+  std::string cells;
+  for (const ClaimCell& cell : figure.cells) cells += ClaimCells(bench, cell);
   return fmt::format(
-      "<tr><th scope=\"row\">{}</th><td><span class=\"name\">{}</span></td>"
-      "<td class=\"number\">{} to {}</td><td class=\"number\">{} of {}</td>"
-      "<td class=\"number\">{}</td><td class=\"number\">{} of {}</td><td class=\"remark why\">{}"
-      "</td></tr>\n",
-      advice.text, advice.method, NumberText(beside.least_ratio), NumberText(beside.most_ratio),
-      beside.wrong_in, beside.families, NumberText(beside.farthest), beside.leaks_in,
-      beside.families, advice.remark);
+      "<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td><td><details><summary>by family</summary>"
+      "<ul class=\"plain\">{}</ul></details></td></tr>\n",
+      claim.about, WithNames(figure.sentence.substr(claim.about.size() + 2)), DifferenceText(claim),
+      cells);
 }
 
 // What was not judged is not 0.
@@ -163,7 +140,9 @@ std::string UsersRow(const BenchResult& bench, const BenchRow& row) {
   return fmt::format(
       "<tr>{}<td>{}</td><td class=\"number\">{}</td>{}{}<td class=\"number\">{}</td>"
       "<td class=\"number\">{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
-      FamilyHead(bench.families[row.family]), NameOf(method),
+      FamilyHead(bench.families[row.family]),
+      NameOf(method) +
+          fmt::format("<span class=\"why\">-march: {}</span>", Escaped(MarchText(method))),
       NumberText(NanosecondsATriangle(bench, row)), beside(proved), beside(fastest),
       row.is_judged ? WrongText(bench, row) : DrawingCell(row),
       IfJudged(row, NumberText(row.real.displacement)), IfJudged(row, Grouped(row.leaks.Sum())),
@@ -201,21 +180,21 @@ std::string DecisionTable(const BenchResult& bench) {
                "tied methods the one with the least error is named first"}});
 }
 
-std::string AdviceTable(const BenchResult& bench) {
+std::string ClaimTable(const BenchResult& bench) {
   std::string rows;
-  for (const Advice& advice : kAdvice) rows += AdviceRow(bench, advice);
+  for (const Claim& claim : Claims()) rows += RowOfClaim(bench, claim);
   if (rows.empty()) return {};
-  return "<div class=\"scroll\"><table><thead><tr><th>advice</th><th>method</th><th "
-         "class=\"number\">time over the proved</th><th class=\"number\">wrong in</th><th "
-         "class=\"number\">farthest, px</th><th class=\"number\">leaks in</th><th>remark</th>"
-         "</tr></thead><tbody>\n" +
+  return "<div class=\"scroll\"><table><thead><tr><th>about</th><th>measured</th><th>differ in</th>"
+         "<th></th></tr></thead><tbody>\n" +
          rows + "</tbody></table></div>\n" +
-         ColumnKey({{"time over the proved",
-                     "its time over that of the cheapest method that is proved right, least and "
-                     "most over the families; above 1, the proved one is faster"},
-                    {"wrong in", "families in which a sample was wrong against real geometry"},
-                    {"farthest", "distance of a wrong sample from its triangle's boundary"},
-                    {"leaks in", "families with a gap or an overlap by the method's own model"}});
+         ColumnKey({{"measured",
+                     "time of the first over that of the second, least and most over the families, "
+                     "with its 95 % interval, paired within rounds; less the time of spans-known "
+                     "in the same sink where one thing differs"},
+                    {"overlap", "the interval holds 1: the run does not tell the two apart"},
+                    {"at the floor", "one of them costs no more than storing known spans"},
+                    {"not like for like",
+                     "a scalar loop over boxes beside vectors over spans: no advice"}});
 }
 
 std::string UsersTable(const BenchResult& bench) {

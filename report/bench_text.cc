@@ -13,6 +13,7 @@
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "report/bench_decision.h"
+#include "report/claims.h"
 
 namespace rasterproof::report {
 namespace {
@@ -65,14 +66,14 @@ std::string UsersText(const BenchResult& result, std::size_t at) {
     const BenchMethod& method = result.methods[row->method];
     if (!method.is_users) continue;
     text += fmt::format(
-        "  {}: {:.1f} ns a triangle {}{}; {} triangles judged\n", method.name,
+        "  {}: {:.1f} ns a triangle {}{}; -march: {}; {} triangles judged\n", method.name,
         1e9 * row->conversion_seconds,
         method.times_requests
             ? "are those of a scene without triangles: it takes no repeats, so that its time is "
               "that of\n  a request, reading the scene and writing the answer included"
             : "for what is converted are not part of its time",
         method.clock == BenchClock::kWall ? "; elapsed time: another processor draws" : "",
-        row->judged_triangles);
+        MarchText(method), row->judged_triangles);
   }
   for (const BenchLeftOut& out : result.left_out) {
     const BenchMethod& method = result.methods[out.method];
@@ -91,14 +92,17 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
       family.name, family.summary, family.triangles, family.covered, family.judged_triangles,
       family.boundary_pairs, family.shared_pairs, family.rounds,
       result.methods.empty() ? "" : result.methods[family.baseline].name);
-  table += fmt::format("  {:<28} {:<8} {:<7} {:>10} {:>22} {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n",
-                       "method", "target", "sink", "ns/tri", "ratio", "wrong", "px", "own model",
-                       "gaps", "over", "drawing");
+  table += fmt::format(
+      "  {:<28} {:<8} {:<7} {:>10} {:>10} {:>22} {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n", "method",
+      "target", "sink", "ns/tri", "less floor", "ratio", "wrong", "px", "own model", "gaps", "over",
+      "drawing");
   for (const BenchRow* row : RowsOf(result, at)) {
     const BenchMethod& method = result.methods[row->method];
     const std::string ratio = RatioText(*row, 4);
-    table += fmt::format("  {:<28} {:<8} {:<7} {:>10.1f} {:>22}", method.name, method.target,
-                         method.sink, NanosecondsATriangle(result, *row), ratio);
+    const double less = NanosecondsLessFloor(result, *row);
+    table += fmt::format("  {:<28} {:<8} {:<7} {:>10.1f} {:>10} {:>22}", method.name, method.target,
+                         method.sink, NanosecondsATriangle(result, *row),
+                         std::isnan(less) ? "-" : fmt::format("{:.1f}", less), ratio);
     if (!row->is_judged) {
       table += fmt::format(" {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n", "-", "-", "-", "-", "-",
                            DrawingText(*row));
@@ -139,14 +143,25 @@ std::string NotMeasuredText(const BenchResult& result) {
       fmt::join(words, "; "));
 }
 
+std::string_view MarchText(const BenchMethod& method) {
+  return method.march.empty() ? "not said" : std::string_view(method.march);
+}
+
+std::string LoadText(const BenchSetting& setting) {
+  if (std::isnan(setting.load_before)) return "Load of the machine: not said.";
+  return fmt::format("Load of the machine: {:.2f} at the start, {:.2f} at the end.",
+                     setting.load_before, setting.load_after);
+}
+
 std::string BenchToTable(const BenchResult& result) {
   const BenchSetting& setting = result.setting;
   std::string table = fmt::format(
-      "{}\n{}\nTime: median of the rounds, processor time of one draw, target cleared before it; "
+      "{}\n{}. {}\nTime: median of the rounds, processor time of one draw, target cleared before "
+      "it; "
       "ratio with its 95 %\ninterval, paired within rounds. Wrong: share of the pairs (triangle, "
       "sample) at most a pixel from an edge;\npx: largest distance of a wrong sample from its "
       "triangle's boundary.\n",
-      setting.command, setting.processor);
+      setting.command, setting.processor, LoadText(setting));
   for (std::size_t at = 0; at < result.families.size(); ++at) table += TableOf(result, at);
   const std::string lacking = NotMeasuredText(result);
   return lacking.empty() ? table : table + "\n" + lacking + "\n";

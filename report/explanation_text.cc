@@ -65,7 +65,7 @@ std::string Coloured(char c, std::string_view code) {
 }
 
 // One pixel in one of the panels.
-std::string Cell(const Pixel& pixel, std::size_t panel, bool colour) {
+std::string PixelCell(const Pixel& pixel, std::size_t panel, bool colour) {
   if (panel == 2) {
     const char c = StateCharacter(pixel.state);
     return colour ? Coloured(c, StateCode(pixel.state)) : std::string(1, c);
@@ -102,7 +102,7 @@ std::string Row(const Explanation& explanation, const PixelRect& view, int y, st
       row += NumberCell(NumberAt(explanation, x, y), ScaleOf(*explanation.numbers), panel, colour);
       continue;
     }
-    row += Cell(PixelAt(explanation.observed, explanation.expected, x, y), panel, colour);
+    row += PixelCell(PixelAt(explanation.observed, explanation.expected, x, y), panel, colour);
   }
   return row;
 }

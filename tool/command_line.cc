@@ -200,6 +200,8 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option("--subject", options.subjects, "Built-in methods and kernels (default: all)");
   verb->add_option("--plugin", options.plugins, "Plugins to time too, in this process");
   verb->add_option("--exec", options.programs, "Programs to time too, on a pipe");
+  verb->add_option("--target", options.target,
+                   "Draw by kernels of this instruction set alone: avx2, avx512, ...");
   CLI::Option* limits = verb->add_flag("--limits", options.limits,
                                        "Find how far each method is right; measure no times");
   verb->add_option("--save", options.save, "Folder for the failing case of each limit")

@@ -18,6 +18,8 @@
 #include "bench/family.h"
 #include "core/ulp.h"
 #include "exact/coverage.h"
+#include "library/kernels/kernel.h"
+#include "report/claims.h"
 
 namespace rasterproof::bench {
 namespace {
@@ -32,6 +34,7 @@ TEST(Families, AreOfFloat32AndTheSameForTheSameSeed) {
       EXPECT_TRUE(IsFloat32(v.x) && IsFloat32(v.y) && IsFloat32(v.w)) << kind.name;
     }
     EXPECT_EQ(family.KernelsDrawIt(), !family.scene.clip_space) << kind.name;
+    EXPECT_EQ(family.ClipKernelsDrawIt(), family.scene.clip_space) << kind.name;
     EXPECT_EQ(MakeFamily(kind, FamilySize::kQuick, 1).scene, family.scene) << kind.name;
     EXPECT_EQ(MakeFamily(kind, FamilySize::kQuick, 2).scene != family.scene,
               kind.is_random || kind.name == "fan" || kind.name == "mesh" || kind.is_constructed ||
@@ -42,21 +45,24 @@ TEST(Families, AreOfFloat32AndTheSameForTheSameSeed) {
 }
 
 // Of one family, by the methods named; rounds that measure nothing.
-BenchResult RunOnce(std::string_view family_name, const std::vector<std::string>& names) {
+BenchResult RunOnce(const FamilyInput& family, const std::vector<std::string>& names) {
   auto contenders = OwnContenders(ContenderChoice::kQuick);
   std::erase_if(contenders, [&](const auto& contender) {
     const std::string& name = contender->method().name;
     return !IsBaseline(name) && std::ranges::find(names, name) == names.end();
   });
-  const auto kinds = FamilyKinds();
-  const auto kind = std::ranges::find(kinds, family_name, &FamilyKind::name);
   BenchOptions options;
   options.seconds_per_family = 0;
   options.least_rounds = 1;
   options.judged_pixels = 200'000;
   BenchResult result;
-  RunFamily(MakeFamily(*kind, FamilySize::kQuick, 1), contenders, options, result);
+  RunFamily(family, contenders, options, result);
   return result;
+}
+BenchResult RunOnce(std::string_view family_name, const std::vector<std::string>& names) {
+  const auto kinds = FamilyKinds();
+  const auto kind = std::ranges::find(kinds, family_name, &FamilyKind::name);
+  return RunOnce(MakeFamily(*kind, FamilySize::kQuick, 1), names);
 }
 
 const BenchRow& RowOf(const BenchResult& result, std::string_view name) {
@@ -101,6 +107,68 @@ TEST(RunFamily, LeavesOutWhatDoesNotDrawTheFamilyAndSaysWhy) {
   }
   EXPECT_TRUE(left_out.contains("f32-direct"));
   EXPECT_TRUE(left_out.contains("kernel-exact"));
+}
+
+TEST(RunFamily, DrawsClipSpaceByItsKernel) {
+  const BenchResult result =
+      RunOnce("perspective", {"kernel-clip", "divided-exact", "divided-scanline", "spans-known"});
+  EXPECT_EQ(RowOf(result, "kernel-clip").real.Wrong(), 0U);
+  EXPECT_EQ(RowOf(result, "kernel-clip").drawing_wrong, 0U);
+  EXPECT_EQ(RowOf(result, "spans-known").drawing_wrong, 0U);
+  std::set<std::string> sinks;
+  for (const BenchRow& row : result.rows) {
+    const BenchMethod& method = result.methods[row.method];
+    if (method.name == "kernel-clip") sinks.insert(method.sink);
+  }
+  EXPECT_EQ(sinks, (std::set<std::string>{"facing", "mask"}));
+}
+
+TEST(RunFamily, CountsWhatADivisionByWGetsWrongBehindTheEye) {
+  Scene scene;
+  scene.width = scene.height = 64;
+  scene.precision = Precision::kFloat32;
+  scene.clip_space = true;
+  scene.vertices = {{5, 40, 0, 1}, {60, 40, 0, 1}, {-20, -60, 0, -1}};
+  scene.triangles = {{0, 1, 2}};
+  const BenchResult result =
+      RunOnce(FamilyOf(scene, ""), {"kernel-clip", "divided-exact", "divided-scanline"});
+  EXPECT_EQ(RowOf(result, "kernel-clip").drawing_wrong, 0U);
+  for (const std::string_view name : {"divided-exact", "divided-scanline"}) {
+    EXPECT_GT(RowOf(result, name).drawing_wrong, 100U) << name;
+    EXPECT_GT(RowOf(result, name).real.Wrong(), 0U) << name;
+  }
+}
+
+TEST(RunFamily, NamesTheTraitsThatClaimsAskFor) {
+  std::set<std::string_view> measured;
+  for (const std::string_view family : {"ties", "perspective"}) {
+    const BenchResult result =
+        RunOnce(family, {"kernel-exact", "kernel-exact-unsafe", "kernel-scanline",
+                         "kernel-mask-rows", "kernel-tiles", "kernel-incremental",
+                         "kernel-fixed-tiles", "kernel-clip", "divided-exact", "divided-scanline",
+                         "f64-direct", "f32-direct", "hom-f64", "spans-known"});
+    for (const report::Claim& claim : report::Claims()) {
+      if (!report::FigureOf(claim, result).cells.empty()) measured.insert(claim.id);
+    }
+  }
+  for (const std::string_view id :
+       {"exactness", "floats", "full-tiles", "rows", "integers", "divided", "divided-floats",
+        "textbook-doubles", "textbook-floats", "textbook-stepping", "textbook-clip"}) {
+    EXPECT_TRUE(measured.contains(id)) << id;
+  }
+}
+
+TEST(OwnContenders, SayTheirTraitsAndDrawByTheTargetAskedFor) {
+  const auto least = library::kernels::SupportedTargets().front();
+  std::set<std::string> targets;
+  for (const auto& contender : OwnContenders(ContenderChoice::kFull, least)) {
+    const BenchMethod& method = contender->method();
+    targets.insert(method.target);
+    for (const std::string& trait : {method.traversal, method.arithmetic, method.space}) {
+      EXPECT_FALSE(trait.empty()) << method.name;
+    }
+  }
+  EXPECT_EQ(targets, (std::set<std::string>{"compiler", std::string(NameOf(least))}));
 }
 
 TEST(RunFamily, KernelsCountTheErrorsOfASnappedModelApart) {

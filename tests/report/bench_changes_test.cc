@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <string>
 
+#include "report/bench_json.h"
 #include "tests/report/sample_bench.h"
 
 namespace rasterproof::report {
@@ -36,6 +38,25 @@ TEST(BenchChanges, TellsWhatLiesBeyondBothIntervals) {
   EXPECT_EQ(changes[0].kind, BenchChangeKind::kSlower);
   EXPECT_EQ(changes[0].method, now.methods[2].name);
   EXPECT_EQ(BenchChanges(now, before).front().kind, BenchChangeKind::kFaster);
+}
+
+// Of a recorded run: any method that becomes slower by a fifth is found, and it alone.
+TEST(BenchChanges, FindsEveryMethodThatBecomesSlowerByAFifth) {
+  const std::string record = BenchToJson(SampleBench());
+  const BenchResult before = ParseBench(record, "before.json");
+  std::size_t slowed = 0;
+  for (std::size_t k = 0; k < before.rows.size(); ++k) {
+    const BenchFamily& family = before.families[before.rows[k].family];
+    if (before.rows[k].method == family.baseline || before.rows[k].method == family.twin) continue;
+    BenchResult now = ParseBench(record, "now.json");
+    Scale(now.rows[k].ratio, 1.2);
+    const auto changes = BenchChanges(before, ParseBench(BenchToJson(now), "now.json"));
+    ASSERT_EQ(changes.size(), 1U) << k;
+    EXPECT_EQ(changes[0].kind, BenchChangeKind::kSlower);
+    EXPECT_EQ(changes[0].method, before.methods[before.rows[k].method].name);
+    ++slowed;
+  }
+  EXPECT_GT(slowed, 10U);
 }
 
 TEST(BenchChanges, ForgivesWhatTheBaselineDoesToItself) {

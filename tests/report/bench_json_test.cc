@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/error.h"
+#include "report/bench_text.h"
 #include "tests/report/sample_bench.h"
 
 namespace rasterproof::report {
@@ -50,6 +52,23 @@ TEST(BenchJson, ReadsEveryPart) {
   EXPECT_EQ(read.curves[0].points[2].displacement, 0.25);
   EXPECT_EQ(read.curves[1].points[0].time.median, 8e-9);
   EXPECT_EQ(read.fingerprints[0].png, written.fingerprints[0].png);
+}
+
+TEST(BenchJson, TellsTraitsAndLoadAndReadsFilesWithoutThem) {
+  BenchResult result = SampleBench();
+  EXPECT_TRUE(std::isnan(ParseBench(BenchToJson(result), "old.json").setting.load_before));
+  EXPECT_EQ(ParseBench(BenchToJson(result), "old.json").methods[0].traversal, "");
+  result.methods[0].traversal = "spans";
+  result.methods[0].arithmetic = "f64-direct";
+  result.methods[0].space = "window";
+  result.methods[0].march = "x86-64-v3";
+  result.setting.load_before = 0.25;
+  result.setting.load_after = 0.5;
+  const BenchResult read = ParseBench(BenchToJson(result), "new.json");
+  EXPECT_EQ(read.methods[0], result.methods[0]);
+  EXPECT_EQ(read.setting.load_before, 0.25);
+  EXPECT_EQ(read.setting.load_after, 0.5);
+  EXPECT_NE(BenchToTable(read).find("0.25 at the start, 0.50 at the end"), std::string::npos);
 }
 
 TEST(BenchJson, FaultsNamePlaceAndRemedy) {

@@ -141,7 +141,16 @@ TEST(BenchPage, StandsBeforeTheVerdicts) {
   EXPECT_FALSE(Says(without, "id=\"which\""));
   EXPECT_FALSE(Says(without, "id=\"bench-data\""));
   page.bench = SampleBench();
+  EXPECT_FALSE(Says(PageToHtml(page), "id=\"advice\""));  // a record without traits: no claims
+  page.bench->methods[2].traversal = "box loop";
+  page.bench->methods[2].arithmetic = "f32-direct";
+  page.bench->methods[2].vertex_bytes = 32;
+  page.bench->methods[3].traversal = "spans";
+  page.bench->methods[3].arithmetic = "exact";
+  page.bench->methods[3].vertex_bytes = 12;
+  page.bench->methods[2].space = page.bench->methods[3].space = "window";
   const std::string html = PageToHtml(page);
+  EXPECT_TRUE(Says(html, "a scalar textbook loop, not a kernel"));
   std::size_t before = 0;
   for (const std::string_view anchor : {"which", "yours", "advice", "pareto", "families", "limits",
                                         "fingerprints", "worst", "stages", "verdicts"}) {

@@ -56,6 +56,42 @@ class LinksTest(unittest.TestCase):
         self.assertEqual(self.run_check(good)[0], 0)
 
 
+class BenchTablesTest(unittest.TestCase):
+    def setUp(self):
+        self.script = load("bench_tables")
+        claim = {"id": "doubles", "about": "Use doubles", "a": "d avx2", "b": "e avx2",
+                 "differ_in": "arithmetic", "sink": "mask", "times": "2 [1.9, 2.1]",
+                 "sentence": "Use doubles: so.",
+                 "a_wrong": "never", "b_wrong": "never"}  # fmt: skip
+        self.result = {"load_before": 0.1, "load_after": 1.1, "claims": [claim],
+                       "methods": [{"target": "avx2"}, {"target": "compiler"}]}  # fmt: skip
+
+    def test_a_run_on_a_busy_machine_is_not_quoted(self):
+        self.assertEqual(self.script.busy(self.result), "")
+        for load in ({"load_before": 0.31}, {"load_after": 1.31}, {"load_after": None}):
+            self.assertIn("load", self.script.busy({**self.result, **load}))
+        lines = self.script.sentences(["doubles"], [{**self.result, "load_before": 0.5}])
+        self.assertIn("Not to be quoted", lines[-1])
+
+    def test_the_first_run_speaks_and_others_stand_beside_it(self):
+        wide = {**self.result, "methods": [{"target": "avx512"}]}
+        self.assertEqual(self.script.sentences(["doubles"], [wide, self.result]),
+                         ["- Use doubles: so. By avx2: 2 [1.9, 2.1]."])  # fmt: skip
+        table = self.script.claims([wide, self.result])
+        self.assertIn("| avx512 | avx2 |", table[0])
+        self.assertEqual(len(table), 3)
+        self.assertRaises(SystemExit, self.script.sentences, ["singles"], [wide])
+
+    def test_a_claim_by_hand_is_found(self):
+        check = load("check_claims")
+        block = ("<!-- claims a, made by scripts/bench_tables -->\nA takes 3 times as long.\n"
+                 "<!-- claims a: to here -->\n")  # fmt: skip
+        self.assertEqual(list(check.claims(block)), [])
+        self.assertEqual(list(check.claims(block + "It took 3.5\ntimes as long as B.\n")),
+                         [(4, "3.5 times")])  # fmt: skip
+        self.assertEqual(list(check.claims("half: 0.4 of its time")), [(1, "4 of its time")])
+
+
 class ShownCommandsTest(unittest.TestCase):
     def setUp(self):
         self.script = load("check_readme")

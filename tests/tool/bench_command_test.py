@@ -8,6 +8,7 @@ import html
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -57,7 +58,7 @@ class Bench(unittest.TestCase):
         self.assertEqual([family["name"] for family in result["families"]], ["ties"])
         rows = {row["method"]: row for row in result["rows"] if row["sink"] == "facing"}
         self.assertEqual(set(rows), {"f32-incremental", "f32-incremental again", "textbook",
-                                     "kernel-exact"})  # fmt: skip
+                                     "kernel-exact", "spans-known"})  # fmt: skip
         self.assertGreater(rows["textbook"]["real"]["unexpected"], 0)
         self.assertGreater(rows["textbook"]["overlaps"], 0)
         self.assertEqual(rows["kernel-exact"]["drawing_wrong"], 0)
@@ -69,6 +70,28 @@ class Bench(unittest.TestCase):
             self.assertLessEqual(median, high)
         for key in ("processor", "compiler", "flags", "command", "date"):
             self.assertTrue(result[key], key)
+        for key in ("load_before", "load_after"):
+            self.assertGreaterEqual(result[key], 0, key)
+        self.assertEqual(rows["spans-known"]["drawing_wrong"], 0)
+        self.assertTrue(all(claim["sentence"] for claim in result["claims"]))
+
+    def test_kernels_draw_by_the_instruction_set_asked_for(self):
+        result = measured("--scene", "scenes/ties.json", *FEW, "--target", "scalar")
+        self.assertEqual({row["target"] for row in result["rows"]}, {"compiler", "scalar"})
+        done = bench("--scene", "scenes/ties.json", *FEW, "--target", "mmx")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("scalar", done.stderr)
+
+    def test_what_a_plugin_was_compiled_for_is_read_from_its_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            plugin = os.path.join(folder, "mine.so")
+            shutil.copy(os.path.join(EXAMPLES, "example_plugin.so"), plugin)
+            with open(plugin, "ab") as file:
+                file.write(b"GNU C++20 12.2.0 -march=x86-64-v3 -O3\0")
+            result = measured("--scene", "scenes/ties.json", *FEW, "--plugin", plugin)
+        method = next(one for one in result["methods"] if one["users"])
+        self.assertEqual(method["march"], "x86-64-v3")
+        self.assertEqual(method["traversal"], "its own")
 
     def test_a_plugin_is_timed_less_what_is_converted(self):
         plugin = os.path.join(EXAMPLES, "example_plugin.so")

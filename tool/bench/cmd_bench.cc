@@ -7,13 +7,17 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bench/bench.h"
@@ -34,6 +38,7 @@
 #include "io/case_file.h"
 #include "io/output.h"
 #include "io/scene_set.h"
+#include "library/kernels/kernel.h"
 #include "report/bench_changes.h"
 #include "report/bench_json.h"
 #include "report/bench_svg.h"
@@ -54,6 +59,8 @@
 
 namespace rasterproof::tool {
 namespace {
+
+namespace kernels = library::kernels;
 
 // Below this, families are small and kernels draw by the machine's best vectors.
 constexpr double kFullFrom = 180;
@@ -80,6 +87,36 @@ BenchSetting SettingOf(const BenchOptions& options) {
   setting.seed = options.seed;
   setting.is_quick = options.budget < kFullFrom;
   return setting;
+}
+
+// A mean over a minute of the processes that want a processor.
+double LoadOfMachine() {
+  double load = std::numeric_limits<double>::quiet_NaN();
+  return getloadavg(&load, 1) == 1 ? load : std::numeric_limits<double>::quiet_NaN();
+}
+
+// What a library's compiler was told, from the options that it leaves in debug information or by
+// -frecord-gcc-switches. Empty if the file does not tell.
+std::string MarchOf(const std::string& file) {
+  constexpr std::string_view kOption = "-march=";
+  const std::string bytes = io::ReadFile(file);
+  const std::size_t at = bytes.find(kOption);
+  if (at == std::string::npos) return "";
+  const std::size_t from = at + kOption.size();
+  const std::size_t end = bytes.find_first_not_of(
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-+._", from);
+  return bytes.substr(from, std::min(end, bytes.size()) - from);
+}
+
+std::optional<kernels::Target> TargetOf(const std::string& name) {
+  if (name.empty()) return std::nullopt;
+  std::vector<std::string_view> known;
+  for (const kernels::Target target : kernels::SupportedTargets()) {
+    if (NameOf(target) == name) return target;
+    known.push_back(NameOf(target));
+  }
+  throw InputError("--target " + name, "this machine has no such instruction set",
+                   fmt::format("choose of {}", fmt::join(known, ", ")));
 }
 
 bench::FamilyInput FromFile(const std::string& path, const BenchOptions& options) {
@@ -139,7 +176,8 @@ std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
 
 std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& options) {
   auto contenders = bench::OwnContenders(
-      options.budget < kFullFrom ? bench::ContenderChoice::kQuick : bench::ContenderChoice::kFull);
+      options.budget < kFullFrom ? bench::ContenderChoice::kQuick : bench::ContenderChoice::kFull,
+      TargetOf(options.target));
   if (options.subjects.empty()) return contenders;
   const auto is_asked = [&](const std::string& name) {
     return std::ranges::find(options.subjects, name) != options.subjects.end();
@@ -154,10 +192,10 @@ std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& 
                        "file, --plugin or --exec");
     }
   }
-  // The baselines and their twins stay: ratios are to them.
+  // The baselines and their twins stay, ratios are to them, and the floor, which is under all.
   std::erase_if(contenders, [&](const auto& contender) {
     const std::string& name = contender->method().name;
-    return !bench::IsBaseline(name) && !is_asked(name);
+    return !bench::IsBaseline(name) && name != bench::kFloor && !is_asked(name);
   });
   return contenders;
 }
@@ -215,8 +253,8 @@ struct Contenders {
     for (const std::string& file : options.plugins) {
       libraries.push_back(PluginOf(file));
       outside.push_back(ResolveOutside(std::string(kPluginPrefix) + file)());
-      list.push_back(
-          bench::MakeSubjectContender(*libraries.back(), outside.back().get(), most_seconds));
+      list.push_back(bench::MakeSubjectContender(*libraries.back(), MarchOf(file),
+                                                 outside.back().get(), most_seconds));
     }
     for (const std::string& name : ProgramNames(options)) {
       outside.push_back(ProgramOf(name));
@@ -331,6 +369,7 @@ BenchResult Measured(const BenchOptions& options) {
   const Contenders contenders(options);
   BenchResult result;
   result.setting = SettingOf(options);
+  result.setting.load_before = LoadOfMachine();
   Progress progress;
   progress.Stage("bench");
   for (const auto& contender : contenders.list) result.methods.push_back(contender->method());
@@ -343,6 +382,7 @@ BenchResult Measured(const BenchOptions& options) {
     AddLimits(contenders, end, progress, result);
     AddPictures(contenders, end, progress, result);
   }
+  result.setting.load_after = LoadOfMachine();
   return result;
 }
 

@@ -17,6 +17,7 @@ struct BenchOptions {
   bool values = false;                ///< only measure interpolated values
   bool limits = false;                ///< only find cliffs, each plugin in its own process
   std::string save;                   ///< folder for the case of each cliff; empty: none
+  std::string target;                 ///< instruction set of all kernels; empty: see bench.h
   double budget = 60;                 ///< seconds for everything
   std::uint64_t seed = 1;
   std::string json;

@@ -65,7 +65,7 @@ std::vector<std::uint32_t> OnePerName(
   std::set<std::string> names;
   for (std::size_t k = 0; k < contenders.size(); ++k) {
     const std::string& name = contenders[k]->method().name;
-    if (bench::IsTwin(name) || !names.insert(name).second) continue;
+    if (bench::IsTwin(name) || name == bench::kFloor || !names.insert(name).second) continue;
     places.push_back(static_cast<std::uint32_t>(k));
   }
   return places;

@@ -124,7 +124,9 @@ double CoveredPerTriangle(const Scene& scene) {
 }  // namespace
 
 ProvedError ProvedErrorOf(std::string_view name, const Scene& scene) {
-  if (name == "kernel-exact") return {0, "exact for every finite float32"};
+  if (name == "kernel-exact" || name == "kernel-clip") {
+    return {0, "exact for every finite float32"};
+  }
   if (name == "kernel-exact-unsafe") return {.why = "it has no proved bound"};
   if (const auto rival = library::rivals::FindRival(name)) return RivalError(*rival, scene);
   const reference::Method* const method = reference::FindMethod(name);
@@ -173,7 +175,7 @@ std::vector<ErrorChoice> ErrorChoices(const BenchResult& bench, std::size_t fami
   for (const BenchRow& row : bench.rows) {
     const BenchMethod& method = bench.methods[row.method];
     if (row.family != family || method.sink != NameOf(library::kernels::Sink::kFacing)) continue;
-    if (row.method == bench.families[family].twin) continue;
+    if (row.method == bench.families[family].twin || method.kind == "floor") continue;
     const ProvedError error = ProvedErrorOf(method.name, scene);
     choices.push_back({.method = method.name,
                        .target = method.target,

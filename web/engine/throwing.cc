@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <stdexcept>
@@ -43,6 +44,10 @@ bool IsAnException(const std::type_info& thrown_type) {
 const char* rasterproof::web::LastMessage() { return message.data(); }
 
 extern "C" {
+
+// The compiler's own functions are compiled with guards of the stack.
+std::uintptr_t __stack_chk_guard = 0x5afe57ac;
+[[noreturn]] void __stack_chk_fail() { EndWith("the stack is damaged"); }
 
 void* __cxa_allocate_exception(std::size_t size) noexcept {
   return size <= thrown.size() ? thrown.data() : nullptr;

@@ -31,7 +31,7 @@ test("a rasterizer without a tie rule is violated, with a case", async () => {
   assert.equal(result.status, 1);
   const [failure] = result.failures;
   assert.equal(failure.property, once[0]);
-  assert.equal(failure.actual, "0");
+  assert.equal(failure.actual, "covered 0 times");
   assert.equal(failure.case.rasterproof_case, 2);
   assert.match(describe(result), /SharedEdgeSamplesAreCoveredOnce at pixel/);
 });
@@ -44,7 +44,7 @@ test("the sentence about two polygons on a common edge holds of top-left edges i
 test("a matcher and an assertion say what fails", async () => {
   const options = { properties: once, cases: 100 };
   assert.equal((await matchers.toRasterize(open, "real", options)).pass, false);
-  await assert.rejects(assertRasterizes(open, "real", options), /expected 1, drawn 0/);
+  await assert.rejects(assertRasterizes(open, "real", options), /drawn covered 0 times/);
 });
 
 test("draw() that throws is a finding, that refuses is not", async () => {
@@ -93,8 +93,8 @@ test("the oracle decides a tie by the profile's rule, and says what is open", as
   assert.equal((await at([0, 2], "d3d11-canonical")).covers, "must");
   const tie = await at([1, 1], "d3d11-canonical");
   assert.equal(tie.covers, "must not");
-  assert.deepEqual(tie.edges_exact, ["0", "10", "6"]);
-  assert.deepEqual(tie.barycentrics_exact, ["0", "5/8", "3/8"]);
+  assert.deepEqual(tie.edges_exact, ["10", "0", "6"]);
+  assert.deepEqual(tie.barycentrics_exact, ["5/8", "0", "3/8"]);
   assert.equal((await at([1, 1], "vulkan")).covers, "may");
 });
 
@@ -103,7 +103,7 @@ test("built-in methods draw, with their edge values", async () => {
   const scene = { rasterproof_scene: 1, width: 4, height: 4, vertices, triangles: [[0, 1, 2]] };
   const drawn = await oracle.draw("f32-direct-fma", scene, [1.5, 1.5]);
   assert.equal(drawn.counts[8], 1);
-  assert.deepEqual(drawn.triangles[0].edges, [0, 10, 6].map((e) => Math.sign(drawn.triangles[0].edges[1]) * e));
+  assert.deepEqual(drawn.triangles[0].edges, [10, 0, 6]);
   assert.ok((await oracle.methods()).includes("i64-snap8"));
 });
 

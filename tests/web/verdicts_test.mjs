@@ -31,7 +31,7 @@ async function byCommand(name, rasterizer) {
     `command ${process.execPath} ${program} ${name} ${wasm}\n` +
       `takes ${rasterizer.takes.join(" ")}\nprofile ${rasterizer.profile}\n`,
   );
-  const options = ["check", "--subject", file, "--cases", values.cases, "--no-cause", "--memory-limit", "65536", "--json", "-"];
+  const options = ["check", "--subject", file, "--cases", values.cases, "--no-cause", "--memory-limit", "0", "--json", "-"];
   for (const property of values.property ?? []) options.push("--property", property);
   const found = await promisify(execFile)(command, options, { maxBuffer: 1 << 30 }).catch((error) => {
     if (error.code === 1 || error.code === 4) return error;

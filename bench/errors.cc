@@ -18,6 +18,7 @@
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
+#include "model/segment_distance.h"
 
 namespace rasterproof::bench {
 namespace {
@@ -60,12 +61,12 @@ class ErrorCount {
     const auto covered = static_cast<std::uint64_t>(std::ranges::count(covers, 1));
     const auto shown = static_cast<std::uint64_t>(std::ranges::count(drawn, 1));
     const bool is_lost = shown == 0 && covered >= kLostFrom;
-    const std::array<Point2, 3> corners = exact_.CornersOf(triangle);
+    const VisibleEdges edges = exact_.EdgesOf(triangle);
     ForEachPixel(area, [&](int x, int y, std::size_t at) {
       if (drawn[at] == covers[at]) return;
       ++(covers[at] != 0 ? errors_.missing : errors_.unexpected);
       wrong_.insert({triangle, x, y});
-      const double distance = BoundaryDistance(corners, CentreOf(x, y));
+      const double distance = DistanceFrom(edges, CentreOf(x, y));
       errors_.beside_edges += distance <= 1 ? 1 : 0;
       if (is_lost) {
         ++errors_.lost;
@@ -113,7 +114,7 @@ BenchLeaks Leaks(const ErrorCount& errors, const JudgedTriangles& judged,
                  const std::set<std::size_t>& drawn_alone) {
   BenchLeaks leaks;
   for (const auto& [triangle, x, y] : errors.wrong()) {
-    const std::array<Point2, 3> corners = errors.exact().CornersOf(triangle);
+    const VisibleEdges edges = errors.exact().EdgesOf(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t found = judged.NeighbourAt(triangle, k);
       if (found < 0) continue;
@@ -121,7 +122,8 @@ BenchLeaks Leaks(const ErrorCount& errors, const JudgedTriangles& judged,
       if (!drawn_alone.contains(other)) continue;
       const bool other_is_wrong = errors.IsWrong(other, x, y);
       if (other_is_wrong && other < triangle) continue;  // counted from there
-      if (SegmentDistance(corners[k], corners[(k + 1) % 3], CentreOf(x, y)) > 1) continue;
+      if (!edges[k] || SegmentDistance((*edges[k])[0], (*edges[k])[1], CentreOf(x, y)) > 1)
+        continue;
       const int here = errors.exact().Covers(triangle, x, y) ? 1 : 0;
       const int there = errors.exact().Covers(other, x, y) ? 1 : 0;
       if (here + there != 1) continue;
@@ -142,10 +144,10 @@ void CountDistance(double distance, EdgeDistances& distances) {
 }
 
 // Samples at most a pixel from the segment, within the target.
-std::uint64_t SamplesBeside(Point2 a, Point2 b, const PixelRect& area) {
+std::uint64_t SamplesBeside(const std::array<Point2, 2>& edge, const PixelRect& area) {
   std::uint64_t samples = 0;
   ForEachPixel(area, [&](int x, int y, std::size_t) {
-    samples += SegmentDistance(a, b, CentreOf(x, y)) <= 1 ? 1 : 0;
+    samples += SegmentDistance(edge[0], edge[1], CentreOf(x, y)) <= 1 ? 1 : 0;
   });
   return samples;
 }
@@ -199,10 +201,10 @@ BenchFamily Describe(const FamilyInput& family, const JudgedTriangles& judged) {
   for (const std::size_t t : judged.indices()) {
     const PixelRect area = JudgedArea(scene, t);
     exact.Cover(t, area, covered);
-    const std::array<Point2, 3> corners = exact.CornersOf(t);
+    const VisibleEdges edges = exact.EdgesOf(t);
     ForEachPixel(area, [&](int x, int y, std::size_t at) {
       described.judged_covered += covered[at];
-      const double distance = BoundaryDistance(corners, CentreOf(x, y));
+      const double distance = DistanceFrom(edges, CentreOf(x, y));
       if (distance > 1) return;
       ++described.boundary_pairs;
       CountDistance(distance, described.distances);
@@ -210,7 +212,7 @@ BenchFamily Describe(const FamilyInput& family, const JudgedTriangles& judged) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t other = judged.NeighbourAt(t, k);
       if (other <= static_cast<std::int64_t>(t)) continue;
-      described.shared_pairs += SamplesBeside(corners[k], corners[(k + 1) % 3], area);
+      if (edges[k]) described.shared_pairs += SamplesBeside(*edges[k], area);
     }
   }
   return described;
@@ -234,10 +236,10 @@ struct CoverageJudge::Answers {
       starts.push_back(covered.size());
       covered.insert(covered.end(), one.begin(), one.end());
       if (!is_real) continue;
-      const std::array<Point2, 3> corners = exact.CornersOf(t);
+      const VisibleEdges edges = exact.EdgesOf(t);
       std::uint64_t& near = boundary_pairs.emplace_back(0);
       ForEachPixel(area, [&](int x, int y, std::size_t) {
-        near += BoundaryDistance(corners, CentreOf(x, y)) <= 1 ? 1 : 0;
+        near += DistanceFrom(edges, CentreOf(x, y)) <= 1 ? 1 : 0;
       });
     }
   }

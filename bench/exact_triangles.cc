@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/coverage.h"
@@ -14,25 +14,40 @@
 #include "exact/homogeneous.h"
 #include "exact/sample_frame.h"
 #include "exact/spans.h"
+#include "model/segment_distance.h"
 #include "model/snap_scene.h"
 
 namespace rasterproof::bench {
 namespace {
 
-std::array<Point2, 3> DividedCorners(const Scene& scene, std::size_t triangle) {
-  std::array<Point2, 3> points;
-  const auto v = Corners(scene, scene.triangles[triangle]);
-  for (std::size_t k = 0; k < 3; ++k) {
-    points[k] = scene.clip_space ? Point2{v[k].x / v[k].w, v[k].y / v[k].w} : WindowPoint(v[k]);
-  }
-  return points;
+Point2 Divided(const Vertex& v) { return {v.x / v.w, v.y / v.w}; }
+
+bool IsBeforeTheEye(const Scene& scene, const Vertex& v) { return !scene.clip_space || v.w > 0; }
+
+// Of an edge from a, before the eye, to b, behind it: where it has left every target. It goes to
+// infinity in the direction of what lies on it at w = 0.
+Point2 FarOff(const Vertex& a, const Vertex& b) {
+  constexpr double kFar = 0x1p24;
+  const double t = a.w / (a.w - b.w);
+  const double x = a.x + t * (b.x - a.x);
+  const double y = a.y + t * (b.y - a.y);
+  const double length = std::max(std::hypot(x, y), std::numeric_limits<double>::min());
+  const Point2 from = Divided(a);
+  return {from.x + x / length * kFar, from.y + y / length * kFar};
 }
 
 }  // namespace
 
 PixelRect JudgedArea(const Scene& scene, std::size_t triangle) {
   constexpr double kMargin = 2;
-  const std::array<Point2, 3> v = DividedCorners(scene, triangle);
+  const std::array<Vertex, 3> corners = Corners(scene, scene.triangles[triangle]);
+  if (!std::ranges::all_of(corners, [&](const Vertex& v) { return IsBeforeTheEye(scene, v); })) {
+    return {0, 0, scene.width, scene.height};
+  }
+  std::array<Point2, 3> v;
+  for (std::size_t k = 0; k < 3; ++k) {
+    v[k] = scene.clip_space ? Divided(corners[k]) : WindowPoint(corners[k]);
+  }
   const auto within = [](double x, int size) {
     return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(size)));
   };
@@ -41,6 +56,14 @@ PixelRect JudgedArea(const Scene& scene, std::size_t triangle) {
   return {
       within(std::floor(x0) - kMargin, scene.width), within(std::floor(y0) - kMargin, scene.height),
       within(std::ceil(x1) + kMargin, scene.width), within(std::ceil(y1) + kMargin, scene.height)};
+}
+
+double DistanceFrom(const VisibleEdges& edges, Point2 p) {
+  double distance = std::numeric_limits<double>::infinity();
+  for (const auto& edge : edges) {
+    if (edge) distance = std::min(distance, SegmentDistance((*edge)[0], (*edge)[1], p));
+  }
+  return distance;
 }
 
 struct ExactTriangles::State {
@@ -94,8 +117,22 @@ bool ExactTriangles::Covers(std::size_t triangle, int x, int y) const {
                        s.frame.rule);
 }
 
-std::array<Point2, 3> ExactTriangles::CornersOf(std::size_t triangle) const {
-  return DividedCorners(state_->placed, triangle);
+VisibleEdges ExactTriangles::EdgesOf(std::size_t triangle) const {
+  const Scene& scene = state_->placed;
+  const std::array<Vertex, 3> v = Corners(scene, scene.triangles[triangle]);
+  VisibleEdges edges;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vertex& a = v[k];
+    const Vertex& b = v[(k + 1) % 3];
+    if (!scene.clip_space) {
+      edges[k] = {WindowPoint(a), WindowPoint(b)};
+    } else if (a.w > 0) {
+      edges[k] = {Divided(a), b.w > 0 ? Divided(b) : FarOff(a, b)};
+    } else if (b.w > 0) {
+      edges[k] = {FarOff(b, a), Divided(b)};
+    }
+  }
+  return edges;
 }
 
 }  // namespace rasterproof::bench

@@ -6,21 +6,29 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/draw_options.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/vertex.h"
-#include "model/segment_distance.h"
 
 namespace rasterproof::bench {
 
 /// The pixels whose decisions are looked at: those of the triangle's box, and two more all round,
-/// within the target. Corners of clip space are divided by their w.
+/// within the target. Corners of clip space are divided by their w; of a triangle that does not lie
+/// before the eye as a whole, the whole target.
 PixelRect JudgedArea(const Scene& scene, std::size_t triangle);
 
 inline Point2 CentreOf(int x, int y) { return {x + 0.5, y + 0.5}; }
+
+/// Edges as far as they lie before the eye: one that passes through its plane is cut where it is far
+/// beyond any target, one behind it is nothing.
+using VisibleEdges = std::array<std::optional<std::array<Point2, 2>>, 3>;
+
+/// Pixels; infinity if no edge is visible.
+double DistanceFrom(const VisibleEdges& edges, Point2 p);
 
 /// A scene's triangles under one model.
 ///
@@ -37,8 +45,8 @@ class ExactTriangles {
   void Cover(std::size_t triangle, const PixelRect& area, std::vector<std::uint8_t>& covered);
   /// Whether the triangle covers the pixel's centre: by another way than Cover().
   bool Covers(std::size_t triangle, int x, int y) const;
-  /// Its corners in window space where the model places them.
-  std::array<Point2, 3> CornersOf(std::size_t triangle) const;
+  /// Its edges in window space where the model places them, edge k from corner k to the next one.
+  VisibleEdges EdgesOf(std::size_t triangle) const;
 
  private:
   struct State;

@@ -14,6 +14,7 @@
 #include "core/vertex.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
+#include "model/segment_distance.h"
 
 namespace rasterproof::bench {
 namespace {

@@ -19,6 +19,7 @@
 #include "exact/coverage.h"
 #include "exact/homogeneous.h"
 #include "exact/rational.h"
+#include "model/segment_distance.h"
 #include "model/snap.h"
 
 namespace rasterproof::bench {

@@ -19,6 +19,7 @@
 #include "core/ulp.h"
 #include "exact/coverage.h"
 #include "library/kernels/kernel.h"
+#include "model/segment_distance.h"
 #include "report/claims.h"
 
 namespace rasterproof::bench {

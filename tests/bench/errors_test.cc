@@ -14,6 +14,7 @@
 #include "bench/exact_triangles.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
+#include "model/segment_distance.h"
 #include "reference/method.h"
 
 namespace rasterproof::bench {
@@ -64,6 +65,34 @@ Judgement JudgementOf(Draughtsman& drawn, const FamilyInput& family) {
 
 std::uint8_t& At(std::vector<std::uint8_t>& box, const PixelRect& area, int x, int y) {
   return box[static_cast<std::size_t>((y - area.y0) * (area.x1 - area.x0) + x - area.x0)];
+}
+
+// A corner behind the eye: the divided corners' box is not where the triangle is seen.
+TEST(ExactTriangles, AreWholeWhereACornerLiesBehindTheEye) {
+  Scene scene;
+  scene.width = scene.height = 64;
+  scene.clip_space = true;
+  scene.vertices = {{8, 8, 0, 1}, {8, 40, 0, 1}, {-40, -24, 0, -1}};
+  scene.triangles = {{0, 1, 2}};
+  const PixelRect area = JudgedArea(scene, 0);
+  EXPECT_EQ(area, (PixelRect{0, 0, 64, 64}));
+  ExactTriangles exact(scene, Profile{});
+  std::vector<std::uint8_t> covered;
+  exact.Cover(0, area, covered);
+  std::size_t beyond = 0;  // the box of the divided corners, whose third is (40, 24)
+  for (int y = 0; y < 64; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      const bool is_covered = At(covered, area, x, y) != 0;
+      EXPECT_EQ(is_covered, exact.Covers(0, x, y)) << x << ", " << y;
+      beyond += is_covered && (x < 8 || y >= 40 || y < 8) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(beyond, 100U);
+  // Seen are the edge between the first two corners and two rays to the left of them.
+  const VisibleEdges edges = exact.EdgesOf(0);
+  EXPECT_EQ(DistanceFrom(edges, {10, 24}), 2);
+  EXPECT_EQ(DistanceFrom(edges, {0, 4}), 0);
+  EXPECT_NEAR(DistanceFrom(edges, {40, 24}), 32, 1e-9);
 }
 
 TEST(SegmentDistance, IsThatOfTheNearestPointOfTheClosedSegment) {

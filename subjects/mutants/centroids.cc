@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/scene.h"
@@ -36,6 +37,9 @@ class Centroids final : public Subject {
   const SubjectInfo& OwnInfo() const override { return info_; }
 
   Drawing Show(const DrawJob& job) override {
+    if (job.samples != info_.profile.pattern.samples()) {
+      throw SubjectStop(Stop::kNotDrawable, "it has another number of samples a pixel");
+    }
     const Scene scene = SceneOf(job);
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);

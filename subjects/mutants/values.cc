@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/call_end.h"
 #include "core/coverage.h"
 #include "core/drawing.h"
 #include "core/scene.h"
@@ -91,6 +92,9 @@ class Values final : public Subject {
   const SubjectInfo& OwnInfo() const override { return info_; }
 
   Drawing Show(const DrawJob& job) override {
+    if (job.samples != stages_.profile.pattern.samples()) {
+      throw SubjectStop(Stop::kNotDrawable, "it has another number of samples a pixel");
+    }
     const Scene scene = SceneOf(job);
     Drawing drawing;
     drawing.counts = CoverageCounts(scene.width, scene.height, job.samples);

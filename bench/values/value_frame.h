@@ -27,7 +27,7 @@ void Walk(const ValueFrame& frame) {
   using T = NumberOf<D>;
   const D d;
   const auto first = hn::Iota(d, T(0.5));
-  Policy policy;
+  Policy policy{};
   std::uint32_t triangle = ~std::uint32_t{0};
   for (std::size_t i = 0; i < frame.count; ++i) {
     const ValueRun& run = frame.runs[i];
@@ -46,7 +46,7 @@ void Walk(const ValueFrame& frame) {
 // A value after another: each is the one before and the step.
 template <class T>
 void WalkSteps(const ValueFrame& frame) {
-  VertexPlanePolicy<hn::CappedTag<T, 1>> policy;
+  VertexPlanePolicy<hn::CappedTag<T, 1>> policy{};
   std::uint32_t triangle = ~std::uint32_t{0};
   for (std::size_t i = 0; i < frame.count; ++i) {
     const ValueRun& run = frame.runs[i];

@@ -308,7 +308,7 @@ void AddDepths(std::vector<Mistake>& list) {
   }
 }
 
-Point2 Moved(Point2 p, int axis, double by) {
+Point2 PlaceMoved(Point2 p, int axis, double by) {
   return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
 }
 
@@ -325,9 +325,9 @@ MadeNumber SlopeAt(const ShownNumber& s, Point2 p, int axis) {
 
 // From one point to another, in pixels along the axis from the place moved across it.
 MadeNumber DifferenceOf(const ShownNumber& s, double from, double to, double across = 0) {
-  const Point2 p = Moved(PlaceOf(s), 1 - s.axis, across);
+  const Point2 p = PlaceMoved(PlaceOf(s), 1 - s.axis, across);
   const auto at = [&](double by) {
-    return Estimated(s, s.channel.interpolation, s.numbers, Moved(p, s.axis, by));
+    return Estimated(s, s.channel.interpolation, s.numbers, PlaceMoved(p, s.axis, by));
   };
   const MadeNumber first = at(from), last = at(to);
   return {last.value - first.value, first.condition + last.condition};
@@ -405,7 +405,7 @@ void AddSlopePlanes(std::vector<Mistake>& list) {
                   [](const ShownNumber& s) -> Made {
                     const int width = s.values.scene->width;
                     if (s.f.place.x == 0 || s.f.place.x != width - 1) return {};
-                    return {SlopeAt(s, Moved(PlaceOf(s), 0, -1), s.axis)};
+                    return {SlopeAt(s, PlaceMoved(PlaceOf(s), 0, -1), s.axis)};
                   }});
 }
 

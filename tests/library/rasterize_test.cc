@@ -165,9 +165,11 @@ std::vector<std::uint64_t> Expected(const Given& given, RasterOutput output) {
   for (std::size_t k = 0; k < given.positions.size(); k += 3) {
     vertices.push_back({given.positions[k], given.positions[k + 1], given.positions[k + 2]});
   }
-  return kernels::DefineSurface(kernels::KernelMethod::kExact,
-                                kernels::kSinks[static_cast<std::size_t>(output)],
-                                {vertices, given.indices, given.width, given.height});
+  return kernels::DefineSurface(kernels::kSinks[static_cast<std::size_t>(output)],
+                                {vertices, given.indices, given.width, given.height},
+                                [&](const kernels::KernelTriangle& t) {
+                                  return kernels::definitions::Exact(t, given.width, given.height);
+                                });
 }
 
 // The first pixel that differs, in words; empty if none does.

@@ -32,8 +32,9 @@ constexpr int kValuesHeight = 37;
 constexpr int kTestChannels = 3;
 constexpr std::size_t kTestPitch = 90;
 constexpr float kUntouched = -77;
-constexpr std::array kSets{InstructionSet::kScalar, InstructionSet::kSse4, InstructionSet::kAvx2,
-                           InstructionSet::kAvx512, InstructionSet::kNeon};
+constexpr std::array kSetsOfValues{InstructionSet::kScalar, InstructionSet::kSse4,
+                                   InstructionSet::kAvx2, InstructionSet::kAvx512,
+                                   InstructionSet::kNeon};
 
 struct ValueMesh {
   std::vector<float> positions;
@@ -209,7 +210,7 @@ TEST_P(RasterizeValuesTest, AreWhatPlainLoopsDefineByEveryInstructionSet) {
   int compared = 0;
   for (int seed = 0; seed < Cases(12); ++seed) {
     const ValueMesh mesh = Drawn(static_cast<std::uint64_t>(seed));
-    for (const InstructionSet set : kSets) {
+    for (const InstructionSet set : kSetsOfValues) {
       if (!IsSupported(set)) continue;
       Planes planes;
       RasterizeValues(mesh.Mesh(), In(mesh, planes, Interpolated(), RasterRounding::kFast), set);
@@ -291,7 +292,7 @@ TEST_P(RasterizeValuesTest, AreCorrectlyRoundedByEveryInstructionSet) {
   for (int seed = 0; seed < Cases(12); ++seed) {
     const ValueMesh mesh = Drawn(static_cast<std::uint64_t>(200 + seed));
     std::optional<std::vector<float>> first;
-    for (const InstructionSet set : kSets) {
+    for (const InstructionSet set : kSetsOfValues) {
       if (!IsSupported(set)) continue;
       Planes planes;
       RasterizeValues(mesh.Mesh(), In(mesh, planes, Interpolated(), RasterRounding::kNearest), set);

@@ -32,7 +32,7 @@ struct Planted {
   std::string_view cause;
 };
 
-class Named : public testing::TestWithParam<Planted> {};
+class Named : public ::testing::TestWithParam<Planted> {};
 
 TEST_P(Named, IsWhatWasPlanted) {
   const Planted& planted = GetParam();
@@ -48,21 +48,21 @@ constexpr std::string_view kFormats = "DepthsAreOfTheirFormat";
 
 INSTANTIATE_TEST_SUITE_P(
     ValueMistakes, Named,
-    testing::Values(Planted{"values-dx-doubled", kSlopes, "wrong-derivative"},
-                    Planted{"values-dy-negated", kSlopes, "wrong-derivative"},
-                    Planted{"values-dx-dy-swapped", kSlopes, "wrong-derivative"},
-                    Planted{"values-dx-of-affine-plane", kSlopes, "wrong-derivative"},
-                    Planted{"values-dx-not-of-w", kSlopes, "wrong-derivative"},
-                    Planted{"values-dx-by-difference", kSlopes, "wrong-derivative"},
-                    Planted{"values-difference-central", kSlopes, "wrong-derivative"},
-                    Planted{"values-clamped", kValues, "clamped-values"},
-                    Planted{"values-behind-the-eye", kValues, "weights-by-w"},
-                    Planted{"values-w-for-inverse-w", kValues, "wrong-quantity"},
-                    Planted{"values-depth-of-w", kClipDepths, "wrong-quantity"},
-                    Planted{"values-depth-remapped", kClipDepths, "depth-range"},
-                    Planted{"values-depth-truncated", kFormats, "depth-rounding"},
-                    Planted{"values-depth-power-of-two", kFormats, "depth-rounding"},
-                    Planted{"values-depth-16-bits", kFormats, "depth-rounding"}));
+    ::testing::Values(Planted{"values-dx-doubled", kSlopes, "wrong-derivative"},
+                      Planted{"values-dy-negated", kSlopes, "wrong-derivative"},
+                      Planted{"values-dx-dy-swapped", kSlopes, "wrong-derivative"},
+                      Planted{"values-dx-of-affine-plane", kSlopes, "wrong-derivative"},
+                      Planted{"values-dx-not-of-w", kSlopes, "wrong-derivative"},
+                      Planted{"values-dx-by-difference", kSlopes, "wrong-derivative"},
+                      Planted{"values-difference-central", kSlopes, "wrong-derivative"},
+                      Planted{"values-clamped", kValues, "clamped-values"},
+                      Planted{"values-behind-the-eye", kValues, "weights-by-w"},
+                      Planted{"values-w-for-inverse-w", kValues, "wrong-quantity"},
+                      Planted{"values-depth-of-w", kClipDepths, "wrong-quantity"},
+                      Planted{"values-depth-remapped", kClipDepths, "depth-range"},
+                      Planted{"values-depth-truncated", kFormats, "depth-rounding"},
+                      Planted{"values-depth-power-of-two", kFormats, "depth-rounding"},
+                      Planted{"values-depth-16-bits", kFormats, "depth-rounding"}));
 
 // Sound rasterizers, of unusual forms and statements, have no mistake; and no other bug has one
 // that is not its own.

@@ -126,7 +126,7 @@ std::unique_ptr<Contender> MakeRivalContender(const library::rivals::Rival& riva
 std::unique_ptr<Contender> MakeClipContender(library::kernels::Target target,
                                              library::kernels::Sink sink);
 
-/// A kernel of window space, or a rival, after a division by w in float32, which each draw does again.
+/// A kernel of window space, or a rival, after a division by w in float32, done again in each draw.
 ///
 /// Domain:     as MakeKernelContender.
 std::unique_ptr<Contender> MakeDividedContender(library::kernels::KernelMethod method,

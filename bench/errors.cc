@@ -61,7 +61,7 @@ class ErrorCount {
     const auto covered = static_cast<std::uint64_t>(std::ranges::count(covers, 1));
     const auto shown = static_cast<std::uint64_t>(std::ranges::count(drawn, 1));
     const bool is_lost = shown == 0 && covered >= kLostFrom;
-    const VisibleEdges edges = exact_.EdgesOf(triangle);
+    const SeenEdges edges = exact_.EdgesOf(triangle);
     ForEachPixel(area, [&](int x, int y, std::size_t at) {
       if (drawn[at] == covers[at]) return;
       ++(covers[at] != 0 ? errors_.missing : errors_.unexpected);
@@ -114,7 +114,7 @@ BenchLeaks Leaks(const ErrorCount& errors, const JudgedTriangles& judged,
                  const std::set<std::size_t>& drawn_alone) {
   BenchLeaks leaks;
   for (const auto& [triangle, x, y] : errors.wrong()) {
-    const VisibleEdges edges = errors.exact().EdgesOf(triangle);
+    const SeenEdges edges = errors.exact().EdgesOf(triangle);
     for (std::size_t k = 0; k < 3; ++k) {
       const std::int64_t found = judged.NeighbourAt(triangle, k);
       if (found < 0) continue;
@@ -201,7 +201,7 @@ BenchFamily Describe(const FamilyInput& family, const JudgedTriangles& judged) {
   for (const std::size_t t : judged.indices()) {
     const PixelRect area = JudgedArea(scene, t);
     exact.Cover(t, area, covered);
-    const VisibleEdges edges = exact.EdgesOf(t);
+    const SeenEdges edges = exact.EdgesOf(t);
     ForEachPixel(area, [&](int x, int y, std::size_t at) {
       described.judged_covered += covered[at];
       const double distance = DistanceFrom(edges, CentreOf(x, y));
@@ -236,7 +236,7 @@ struct CoverageJudge::Answers {
       starts.push_back(covered.size());
       covered.insert(covered.end(), one.begin(), one.end());
       if (!is_real) continue;
-      const VisibleEdges edges = exact.EdgesOf(t);
+      const SeenEdges edges = exact.EdgesOf(t);
       std::uint64_t& near = boundary_pairs.emplace_back(0);
       ForEachPixel(area, [&](int x, int y, std::size_t) {
         near += DistanceFrom(edges, CentreOf(x, y)) <= 1 ? 1 : 0;

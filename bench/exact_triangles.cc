@@ -58,7 +58,7 @@ PixelRect JudgedArea(const Scene& scene, std::size_t triangle) {
       within(std::ceil(x1) + kMargin, scene.width), within(std::ceil(y1) + kMargin, scene.height)};
 }
 
-double DistanceFrom(const VisibleEdges& edges, Point2 p) {
+double DistanceFrom(const SeenEdges& edges, Point2 p) {
   double distance = std::numeric_limits<double>::infinity();
   for (const auto& edge : edges) {
     if (edge) distance = std::min(distance, SegmentDistance((*edge)[0], (*edge)[1], p));
@@ -117,10 +117,10 @@ bool ExactTriangles::Covers(std::size_t triangle, int x, int y) const {
                        s.frame.rule);
 }
 
-VisibleEdges ExactTriangles::EdgesOf(std::size_t triangle) const {
+SeenEdges ExactTriangles::EdgesOf(std::size_t triangle) const {
   const Scene& scene = state_->placed;
   const std::array<Vertex, 3> v = Corners(scene, scene.triangles[triangle]);
-  VisibleEdges edges;
+  SeenEdges edges;
   for (std::size_t k = 0; k < 3; ++k) {
     const Vertex& a = v[k];
     const Vertex& b = v[(k + 1) % 3];

@@ -23,12 +23,12 @@ PixelRect JudgedArea(const Scene& scene, std::size_t triangle);
 
 inline Point2 CentreOf(int x, int y) { return {x + 0.5, y + 0.5}; }
 
-/// Edges as far as they lie before the eye: one that passes through its plane is cut where it is far
-/// beyond any target, one behind it is nothing.
-using VisibleEdges = std::array<std::optional<std::array<Point2, 2>>, 3>;
+/// Edges as far as they lie before the eye: one that passes through its plane is cut far beyond any
+/// target, one behind it is nothing.
+using SeenEdges = std::array<std::optional<std::array<Point2, 2>>, 3>;
 
 /// Pixels; infinity if no edge is visible.
-double DistanceFrom(const VisibleEdges& edges, Point2 p);
+double DistanceFrom(const SeenEdges& edges, Point2 p);
 
 /// A scene's triangles under one model.
 ///
@@ -46,7 +46,7 @@ class ExactTriangles {
   /// Whether the triangle covers the pixel's centre: by another way than Cover().
   bool Covers(std::size_t triangle, int x, int y) const;
   /// Its edges in window space where the model places them, edge k from corner k to the next one.
-  VisibleEdges EdgesOf(std::size_t triangle) const;
+  SeenEdges EdgesOf(std::size_t triangle) const;
 
  private:
   struct State;

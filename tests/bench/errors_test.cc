@@ -89,7 +89,7 @@ TEST(ExactTriangles, AreWholeWhereACornerLiesBehindTheEye) {
   }
   EXPECT_GT(beyond, 100U);
   // Seen are the edge between the first two corners and two rays to the left of them.
-  const VisibleEdges edges = exact.EdgesOf(0);
+  const SeenEdges edges = exact.EdgesOf(0);
   EXPECT_EQ(DistanceFrom(edges, {10, 24}), 2);
   EXPECT_EQ(DistanceFrom(edges, {0, 4}), 0);
   EXPECT_NEAR(DistanceFrom(edges, {40, 24}), 32, 1e-9);

@@ -160,14 +160,18 @@ Rational Ulp(const Rational& value, Precision precision) {
   return precision == Precision::kFloat32 ? UlpOf<float>(value) : UlpOf<double>(value);
 }
 
+Rational Allowed(const Rational& value, const Rational& condition, const ValueError& error,
+                 Precision precision) {
+  const double roundoff = precision == Precision::kFloat32 ? double{rounding_epsilon<float>()}
+                                                           : rounding_epsilon<double>();
+  return Rational(error.ulps) * Ulp(value, precision) + error.absolute +
+         Rational(error.conditions) * roundoff * condition;
+}
+
 bool IsWithin(double shown, const Rational& value, const Rational& condition,
               const ValueError& error, Precision precision) {
   if (!std::isfinite(shown)) return false;
-  const double roundoff = precision == Precision::kFloat32 ? double{rounding_epsilon<float>()}
-                                                           : rounding_epsilon<double>();
-  const Rational allowed = Rational(error.ulps) * Ulp(value, precision) + error.absolute +
-                           Rational(error.conditions) * roundoff * condition;
-  return (value - shown).Abs() <= allowed;
+  return (value - shown).Abs() <= Allowed(value, condition, error, precision);
 }
 
 UnormCodes ToUnorm(const Rational& value, int bits) {

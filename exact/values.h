@@ -115,10 +115,16 @@ class Interpolant {
 /// subnormals below the smallest binade, of the largest binade above it.
 Rational Ulp(const Rational& value, Precision precision);
 
-/// Whether |shown - value| <= ulps Ulp(value) + absolute + conditions u `condition`, with u = 2^-24
-/// or 2^-53 by the precision. NaN and infinity never are.
+/// How far a number may be off: ulps Ulp(value) + absolute + conditions u `condition`, with
+/// u = 2^-24 or 2^-53 by the precision.
 ///
 /// Domain:     an error whose parts are finite and not negative.
+Rational Allowed(const Rational& value, const Rational& condition, const ValueError& error,
+                 Precision precision);
+
+/// Whether |shown - value| <= Allowed(value, condition, error, precision). NaN and infinity never
+/// are.
+///
 /// Error:      none: the decision is that of exact numbers.
 bool IsWithin(double shown, const Rational& value, const Rational& condition,
               const ValueError& error, Precision precision);

@@ -172,7 +172,7 @@ struct RasterValues {
 
 /// The largest error of a value by kFast, in units of 2^-24 of the condition C of exact/values.h:
 /// of k conditions k / (1 - e), where the denominator may be off by a share e = k 2^-24 sum M_i /
-/// |d| below 1/2; beyond that nothing is stated.
+/// |d| below 1/2; beyond that nothing is stated. And 2^-149, as values may be subnormal.
 ///
 /// Planes are found in double, off by 2^-50 of their terms, and rounded to float32: 1. The product
 /// with the coordinate and two sums: 4 in n and in d. The quotient: 5. Where nothing divides: 4,
@@ -180,7 +180,8 @@ struct RasterValues {
 /// Proof:      reference/proofs/library_values.g.
 inline constexpr double kValueConditions = 5 + 0x1p-16;
 
-/// The same of derivatives, in units of their conditions C_x and C_y: over (1 - e)^2.
+/// The same of derivatives, in units of their conditions C_x and C_y: over (1 - e)^2. And 2^-126: a
+/// subnormal value's 2^-150 is multiplied by |d.a / d|, which e keeps below 2^23.
 ///
 /// (n.a - value d.a) / d: n.a has 1 rounding, the difference 1, the quotient 1, value d.a two more
 /// and the value's own error, kValueConditions of C |d.a|; d has 4: no part has more than 5.

@@ -95,6 +95,7 @@ struct ValueRow {
 struct Channel {
   Line n;
   kernels::ValuePlane plane = {};
+  kernels::ValuePlane d_plane = {};
   bool is_finite = true;
 };
 
@@ -122,7 +123,12 @@ class ValueDrawer {
 
  private:
   void SetUp(std::uint32_t triangle);
-  void SetUpChannel(std::size_t channel, double scale);
+  void SetUpChannel(std::size_t channel);
+  // The most that a line is over the target.
+  double MostOf(const Line& line) const {
+    return std::fabs(line.a) * values_.width + std::fabs(line.b) * values_.height +
+           std::fabs(line.c);
+  }
   void DrawRow(const Channel& channel, const kernels::KernelSpan& span, std::size_t pixel);
   void DrawNearest(const ValueRow& row, int x0, int x1, float* value);
   static float Decide(const void* drawer, int column) {
@@ -153,7 +159,6 @@ class ValueDrawer {
   std::array<double, 3> x_{}, y_{}, w_{1, 1, 1};
   std::array<Line, 3> beta_{};
   Line d_;
-  kernels::ValuePlane d_plane_ = {};
   // Where it is.
   int row_ = 0;
   std::size_t channel_ = 0;
@@ -190,21 +195,24 @@ void ValueDrawer::SetUp(std::uint32_t triangle) {
     d_.c_reach = beta.a_reach * std::fabs(x_[0]) + beta.b_reach * std::fabs(y_[0]) +
                  beta.c_reach * std::fabs(w_[0]);
   }
-  // By a power of two, so that d is about 1 in float32; where nothing divides, by d itself.
-  const double reach =
-      std::fabs(d_.a) * values_.width + std::fabs(d_.b) * values_.height + std::fabs(d_.c);
-  const double scale = !divides_ ? 1 / d_.c : reach > 0 ? std::ldexp(1, -std::ilogb(reach)) : 1;
-  d_plane_ = d_.Times(scale);
-  for (std::size_t channel = 0; channel < channels_.size(); ++channel) SetUpChannel(channel, scale);
+  for (std::size_t channel = 0; channel < channels_.size(); ++channel) SetUpChannel(channel);
 }
 
-void ValueDrawer::SetUpChannel(std::size_t channel, double scale) {
+void ValueDrawer::SetUpChannel(std::size_t channel) {
   const std::array<double, 3> c = NumbersOf(channel);
   Channel& of = channels_[channel];
   of.is_finite = std::isfinite(c[0]) && std::isfinite(c[1]) && std::isfinite(c[2]);
   of.n = {};
   for (std::size_t i = 0; i < 3; ++i) of.n.Add(beta_[i], c[i]);
+  // By a power of two, so that the greater of n and d is about 2^100 and the least part of the
+  // other one a normal float; where nothing divides, by d itself.
+  const double reach = std::max(MostOf(of.n), MostOf(d_));
+  const bool is_scalable = reach > 0 && std::isfinite(reach);
+  const double scale = !divides_     ? 1 / d_.c
+                       : is_scalable ? std::ldexp(1, 100 - std::ilogb(reach))
+                                     : 1;
   of.plane = of.n.Times(scale);
+  of.d_plane = d_.Times(scale);
 }
 
 void ValueDrawer::DrawRow(const Channel& channel, const kernels::KernelSpan& span,
@@ -224,7 +232,7 @@ void ValueDrawer::DrawRow(const Channel& channel, const kernels::KernelSpan& spa
     }
   } else {
     const bool has_derivatives = !values_.dx.empty();
-    table_.values({channel.plane, d_plane_, divides_, span.row, span.x0, span.x1, value,
+    table_.values({channel.plane, channel.d_plane, divides_, span.row, span.x0, span.x1, value,
                    has_derivatives ? &values_.dx[pixel] : nullptr,
                    has_derivatives ? &values_.dy[pixel] : nullptr});
   }

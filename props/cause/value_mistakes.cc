@@ -74,6 +74,7 @@ Statement Stated(const ShownNumber& s) {
     return {check.holds ? Fit::kRight : Fit::kWrong, check.tolerance};
   }
   if (!IsInterpolatedChannel(s)) {
+    if (s.values.rule.provoking == ProvokingVertex::kUnstated) return {};
     const std::size_t k = s.values.rule.provoking == ProvokingVertex::kLast ? 2 : 0;
     return {s.x == s.numbers[k] ? Fit::kRight : Fit::kWrong, 0};
   }

@@ -163,9 +163,12 @@ Shown Defined(const ValueCorners& v, bool is_clip, RasterInterpolation interpola
   }
   const bool divides = is_clip && !is_linear;
   if (!divides) d = {0, 0, beta[0][0] * v.x[0] + beta[0][1] * v.y[0] + beta[0][2] * v.w[0]};
-  const double reach =
-      std::fabs(d[0]) * kValuesWidth + std::fabs(d[1]) * kValuesHeight + std::fabs(d[2]);
-  const double scale = divides ? std::ldexp(1, -std::ilogb(reach)) : 1 / d[2];
+  const auto most = [](const std::array<double, 3>& line) {
+    return std::fabs(line[0]) * kValuesWidth + std::fabs(line[1]) * kValuesHeight +
+           std::fabs(line[2]);
+  };
+  const double reach = std::max(most(n), most(d));
+  const double scale = divides ? std::ldexp(1, 100 - std::ilogb(reach)) : 1 / d[2];
   std::array<float, 3> fn{};
   std::array<float, 3> fd{};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -236,10 +239,9 @@ struct Largest {
 };
 
 double ShareOf(float shown, const exact::Rational& exact, const exact::Rational& condition,
-               double conditions) {
+               double conditions, double lost) {
   const exact::Rational off = (exact::Rational(shown) - exact).Abs();
-  return off.Sign() == 0 ? 0
-                         : (off / (condition * exact::Rational(conditions * 0x1p-24))).ToDouble();
+  return (off / (condition * exact::Rational(conditions * 0x1p-24) + lost)).ToDouble();
 }
 
 void Judge(const ValueCorners& v, Interpolation interpolation, int column, int row,
@@ -255,11 +257,11 @@ void Judge(const ValueCorners& v, Interpolation interpolation, int column, int r
   if (off >= 0.5) return;
   ++largest.judged;
   largest.value = std::max(largest.value, ShareOf(shown.value, exact->value, condition->value,
-                                                  kValueConditions / (1 - off)));
+                                                  kValueConditions / (1 - off), 0x1p-149));
   const double grown = kDerivativeConditions / ((1 - off) * (1 - off));
   largest.derivative =
-      std::max({largest.derivative, ShareOf(shown.dx, exact->dx, condition->dx, grown),
-                ShareOf(shown.dy, exact->dy, condition->dy, grown)});
+      std::max({largest.derivative, ShareOf(shown.dx, exact->dx, condition->dx, grown, 0x1p-126),
+                ShareOf(shown.dy, exact->dy, condition->dy, grown, 0x1p-126)});
 }
 
 Interpolation OracleOf(RasterInterpolation interpolation) {

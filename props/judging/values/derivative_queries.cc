@@ -4,10 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/value_rule.h"
+#include "props/judging/values/exact_comparison.h"
 #include "props/judging/values/precision_units.h"
 #include "props/judging/witness.h"
 
@@ -127,13 +129,17 @@ DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f
   if (may_be(x, -1)) return check;
   // An estimate acquits; only the exact number convicts.
   check.holds = false;
+  check.ratio = std::numeric_limits<double>::infinity();
   const ValueError beside{.ulps = shown.rule.derivative_error.ulps};
   for (const Candidate& candidate : candidates) {
     const auto number = ExactOf(candidate, f, owners, channel, axis);
     if (!number) return {};
     ValueError error = beside;
     error.absolute = candidate.beside_ulps;
-    if (exact::IsWithin(x, *number, 0, error, shown.precision)) check.holds = true;
+    const exact::Rational allowed = exact::Allowed(*number, 0, error, shown.precision);
+    const Distance distance = CompareWithExact(x, *number, allowed);
+    check.holds = check.holds || distance.within;
+    check.ratio = std::min(check.ratio, distance.ratio);
   }
   return check;
 }

@@ -52,12 +52,12 @@ bool IsExactly(double observed, Point2 a, Point2 b, Point2 p) {
 
 }  // namespace
 
-Distance CompareWithExact(double observed, const Rational& exact, double bound) {
+Distance CompareWithExact(double observed, const Rational& exact, const Rational& bound) {
   if (!std::isfinite(observed)) return {false, kInfinity};
   const Rational distance = (Rational(observed) - exact).Abs();
   if (distance.Sign() == 0) return {true, 0};
-  if (bound == 0) return {false, kInfinity};
-  return {distance <= Rational(bound), (distance / Rational(bound)).ToDouble()};
+  if (bound.Sign() == 0) return {false, kInfinity};
+  return {distance <= bound, (distance / bound).ToDouble()};
 }
 
 std::optional<Distance> CompareWithEstimate(double observed, const Estimate& estimate,

@@ -18,7 +18,8 @@ struct Distance {
 };
 
 /// Domain:     finite, non-negative bound; an observed value that is not finite is never within.
-Distance CompareWithExact(double observed, const exact::Rational& exact, double bound);
+Distance CompareWithExact(double observed, const exact::Rational& exact,
+                          const exact::Rational& bound);
 
 /// The same, if the observed value is within the bound whatever the estimate misses; else nothing,
 /// and CompareWithExact decides.

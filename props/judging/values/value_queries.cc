@@ -284,6 +284,8 @@ std::optional<ValueRange> RangeOf(const ShownValues& shown, const ValueFragment&
       range.tolerance = std::max(range.tolerance, *tolerance);
     }
   }
+  // What the sums of SurelyHolds() and SurelyExcludes() round.
+  range.margin += 0x1p-50 * (std::fabs(range.low) + std::fabs(range.high) + range.tolerance);
   return range;
 }
 
@@ -404,18 +406,18 @@ ValueCheck CheckValue(const ShownValues& shown, const ValueFragment& f, const Va
   const exact::Attribute a = exact::ToAttribute(numbers);
   const auto value = interpolant.Value(channel.interpolation, a);
   if (!value) return {};
-  const Distance distance = CompareWithExact(x, *value, range->tolerance);
-  check.ratio = distance.ratio;
   // A tolerance of the usual forms is worked out in double as it is meant.
-  check.holds = distance.within;
+  exact::Rational allowed = range->tolerance;
   if (shown.rule.error.IsStated()) {
     const exact::Rational condition = interpolant.Conditions(channel.interpolation, a)->value;
-    const ValueEstimate e = EstimateValue(owners.corners.front(), channel.interpolation, numbers,
-                                          PlaceOfValue(f, channel));
+    const auto e = EstimateValue(first, channel.interpolation, numbers, PlaceOfValue(f, channel));
     ValueError error = shown.rule.error;
     error.conditions *= *GrowthOf(e.denominator_condition, error.conditions, shown.precision);
-    check.holds = exact::IsWithin(x, *value, condition, error, shown.precision);
+    allowed = exact::Allowed(*value, condition, error, shown.precision);
   }
+  const Distance distance = CompareWithExact(x, *value, allowed);
+  check.ratio = distance.ratio;
+  check.holds = distance.within;
   check.expected = {Exactly(*value), " within ", range->tolerance};
   return check;
 }

@@ -87,7 +87,7 @@ extern constinit const Property kCentroidValuesStayWithinTheirError{
         "A value at the centroid is that of the pixel's centre or the first covered sample "
         "(Direct3D 11.3 section 3.5.5), or of any point of pixel and primitive (OpenGL 4.6 section "
         "15.2; Vulkan 1.3, Interpolation Decorations); with one sample of the centre.",
-    .required_with_error = kCentroidClauses,
+    .required_with_error = kValueErrorClauses,
     .tolerance = kValueTolerance,
     .domains = kValueDomains,
     .gate = AsksOf(Shows::kValues, centroid_values_stay_within_their_error::kRules,

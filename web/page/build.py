@@ -7,13 +7,26 @@ usage: build.py OUTPUT [--engine FILE.mjs [--wasm FILE.wasm]] [--plants FILE.mjs
 """
 import argparse
 import base64
+import gzip
 import hashlib
+import json
 import pathlib
 import re
 
 FOLDER = pathlib.Path(__file__).resolve().parent
+SOURCES = FOLDER.parent.parent
 # In order: each sees those before it.
-MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "engine", "plants", "session")
+MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "session",
+           "scene", "board", "geometry", "numbers", "playground")  # fmt: skip
+# The playground's cases: what each group is.
+SAVED = (
+    ("Saved findings", "docs/findings/*.json",
+     "A case that a shipped rasterizer draws wrongly (the name says which): here is what it should "
+     "draw, and what a built-in method does."),
+    ("Worst cases", "scenes/worst/*-EdgeErrorStaysWithinItsBound.json",
+     "The largest rounding error known of this method's edge values: look at E."),
+)  # fmt: skip
+KEPT = ("rasterproof_case", "subject", "scene")
 IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.mjs";\n', re.M)
 RENAMED = re.compile(r"(\w+) as (\w+)")
 EXPORT = re.compile(r"^export (?=(?:async )?(?:function|class|const) (\w+))", re.M)
@@ -34,26 +47,61 @@ def module(name, path):
 
 
 def used(wasm):
-    text = base64.b64encode(wasm.read_bytes()).decode()
-    return f'engine.useModule(Uint8Array.from(atob("{text}"), (byte) => byte.charCodeAt(0)));\n'
+    """Has Engine.create() unpack the module first, once."""
+    text = base64.b64encode(gzip.compress(wasm.read_bytes(), mtime=0)).decode()
+    return f"""const unpacked = engine.Engine;
+let used = null;
+async function unpack() {{
+  const bytes = Uint8Array.from(atob("{text}"), (byte) => byte.charCodeAt(0));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  engine.useModule(await new Response(stream).arrayBuffer());
+}}
+engine.Engine = {{create: async () => {{
+  await (used ??= unpack());
+  return unpacked.create();
+}}}};
+"""
+
+
+def presets():
+    """What the playground starts from: figures, saved findings, worst cases of edges."""
+    found = []
+    for figure in json.loads((FOLDER / "presets.json").read_text(encoding="utf-8")):
+        scene = {key: figure[key] for key in ("width", "height", "vertices", "triangles")}
+        scene |= {"rasterproof_scene": 1, "name": figure["title"], "precision": "float32"}
+        case = {"rasterproof_case": 2, "subject": figure["subject"], "scene": scene}
+        found.append({"group": "Figures", "title": figure["title"], "say": figure["say"],
+                      "case": case})  # fmt: skip
+    for group, pattern, say in SAVED:
+        for path in sorted(SOURCES.glob(pattern)):
+            case = json.loads(path.read_text(encoding="utf-8"))
+            if "rasterproof_case" not in case:
+                continue
+            title = path.stem.replace("_", " ")
+            found.append({"group": group, "title": title, "say": say,
+                          "case": {key: case[key] for key in KEPT}})  # fmt: skip
+    return json.dumps(found, separators=(",", ":"))
 
 
 def script(engine, wasm, plants):
     paths = {name: FOLDER / f"{name}.mjs" for name in MODULES}
     paths |= {"engine": engine, "plants": plants}
-    bodies = "".join(module(name, path) for name, path in paths.items() if path)
-    bodies += used(wasm) if wasm else ""
+    bodies = ""
+    for name, path in paths.items():
+        bodies += module(name, path) if path else ""
+        bodies += used(wasm) if wasm and name == "engine" else ""
     named = ", ".join(name for name, path in paths.items() if path)
     page = (FOLDER / "page.mjs").read_text(encoding="utf-8")
     # One function: the page calls it where a worker can't have a GPU, else a worker is made of it.
-    return f'"use strict";\nfunction modules() {{\n{bodies}return {{{named}}};\n}}\n{page}'
+    return (f'"use strict";\nconst PRESETS = {presets()};\n'
+            f"function modules() {{\n{bodies}return {{{named}}};\n}}\n{page}")  # fmt: skip
 
 
 def build(engine, wasm, plants):
     text = script(engine, wasm, plants)
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
     html = (FOLDER / "page.html").read_text(encoding="utf-8")
-    styles = (FOLDER.parent.parent / "report" / "page.css", FOLDER / "page.css")
+    styles = (SOURCES / "report" / "page.css", FOLDER / "page.css", FOLDER / "playground.css")
     style = "".join(path.read_text(encoding="utf-8") for path in styles)
     for name, value in (("SCRIPT-HASH", digest), ("STYLE", style), ("SCRIPT", text)):
         html = html.replace("{{" + name + "}}", value)

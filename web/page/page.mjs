@@ -334,7 +334,9 @@ byId("copy").addEventListener("click", copy);
 document.addEventListener("visibilitychange", hide);
 if (!navigator.gpu) byId("ask").elements.api.value = "webgl2";
 if (kept()) setState("idle", "A run was left before its end: Resume goes on where it was.");
+const parts = modules();
+const playing = parts.playground.playground(parts.engine.Engine, PRESETS);
 // For tests, and for whoever wants to look from the console.
 globalThis.rasterproof = {
-  modules, start, certificate, reportText, tell: (type) => port.post({type}),
+  modules, start, certificate, reportText, tell: (type) => port.post({type}), playing,
 };

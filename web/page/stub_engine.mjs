@@ -3,12 +3,36 @@
  * one property, and beyond it `model` and a failure's `picture`. It draws meshes with shared edges
  * and holds every count against models with 4 to 8 subpixel bits, decided in integers.
  */
+import {covers, edgesAt, fraction, scaled} from "./exact.mjs";
 
 const SIDE = 16;
 const PLACES = {1: [[8, 8]], 4: [[6, 2], [14, 6], [2, 10], [10, 14]]};
 const MODELS = [4, 5, 6, 7, 8].flatMap((bits) => [
   {bits, form: "float32(x - 1/2)"}, {bits, form: "x"},
 ]);
+
+const METHODS = {
+  "filtered-exact": null,
+  "textbook": (value) => value >= 0,
+  "f32-direct": (value, dx, dy) => value > 0 || (value === 0 && (dy > 0 || (dy === 0 && dx < 0))),
+};
+
+function edge32(a, b, p) {
+  const f = Math.fround;
+  const [dx, dy] = [f(b[0] - a[0]), f(b[1] - a[1])];
+  const value = f(f(f(p[0] - a[0]) * dy) - f(f(p[1] - a[1]) * dx));
+  return {value, dx, dy};
+}
+
+/** Whether a method in float32 covers the point. */
+function covers32([a, b, c], point, isInside) {
+  const edges = [edge32(b, c, point), edge32(c, a, point), edge32(a, b, point)];
+  const area = edge32(a, b, c).value;
+  return area !== 0 && edges.every(({value, dx, dy}) => {
+    const sign = Math.sign(area);
+    return isInside(sign * value, sign * dx, sign * dy);
+  });
+}
 
 function numbers(seed) {
   let state = (seed * 2654435761 + 12345) >>> 0;
@@ -66,29 +90,6 @@ function mesh(seed, index, samples) {
     width: SIDE, height: SIDE, samples, clip: false, cull: null, scissor: null, vertices,
     triangles: Int32Array.from(triangles),
   };
-}
-
-/** Edges' values at a point, each opposite its corner, and which are of a top or left edge. */
-function edgesAt(corners, point) {
-  return [0, 1, 2].map((k) => {
-    const [a, b] = [corners[(k + 1) % 3], corners[(k + 2) % 3]];
-    const [dx, dy] = [b[0] - a[0], b[1] - a[1]];
-    return {value: (point[0] - a[0]) * dy - (point[1] - a[1]) * dx, dx, dy};
-  });
-}
-
-/** 1 counter-clockwise on screen and covered, -1 clockwise and covered, else 0. */
-function covers(corners, point) {
-  const edges = edgesAt(corners, point);
-  const area = edges[0].value + edges[1].value + edges[2].value;
-  if (area === 0n) return 0;
-  const sign = area > 0n ? 1n : -1n;
-  const isInside = edges.every(({value, dx, dy}) => {
-    const [inward, x, y] = [sign * value, sign * dx, sign * dy];
-    // Left: the interior is to its right. Top: level, with the interior below.
-    return inward > 0n || (inward === 0n && (y > 0n || (y === 0n && x < 0n)));
-  });
-  return isInside ? Number(sign) : 0;
 }
 
 function corner(request, index, model) {
@@ -226,5 +227,42 @@ export class Engine {
         unasked: [{what: "depth and values", why: "the drawers show coverage alone"}], model,
       }],
     };
+  }
+
+  methods() {
+    return Object.keys(METHODS);
+  }
+
+  covers({triangle, pixel}) {
+    const at = [pixel[0] + 0.5, pixel[1] + 0.5];
+    const {points, exponent} = scaled([...triangle, at]);
+    const facing = covers(points, points[3]);
+    const values = edgesAt(points, points[3]).map(({value}) => value);
+    const area = values[0] + values[1] + values[2];
+    const unit = 1n << BigInt(-2 * exponent);
+    const decided = {covers: facing === 0 ? "must not" : "must", facing, at,
+      edges: values.map((value) => Number(value) / Number(unit)),
+      edges_exact: values.map((value) => fraction(value, unit))};
+    if (area === 0n) return decided;
+    return {...decided, barycentrics: values.map((value) => Number(value) / Number(area)),
+      barycentrics_exact: values.map((value) => fraction(value, area))};
+  }
+
+  draw(method, {width, height, vertices, triangles}, at) {
+    if (!(method in METHODS)) throw new Error(`draw: method: there is no method "${method}"`);
+    const corners = triangles.map((triangle) => triangle.map((k) => vertices[k]));
+    const counts = Array.from({length: width * height}, (_, k) => {
+      const point = [(k % width) + 0.5, Math.floor(k / width) + 0.5];
+      return corners.filter((triangle) => {
+        if (METHODS[method]) return covers32(triangle, point, METHODS[method]);
+        const {points} = scaled([...triangle, point]);
+        return covers(points, points[3]) !== 0;
+      }).length;
+    });
+    const shown = at && corners.map(([a, b, c]) => ({
+      edges: [edge32(b, c, at), edge32(c, a, at), edge32(a, b, at)].map(({value}) => value),
+      barycentrics: null,
+    }));
+    return {width, height, profile: "real", counts, ...(shown && {triangles: shown})};
   }
 }

@@ -112,8 +112,8 @@ export class Board {
         const count = counts[y * width + x];
         const kind = kindOf(count, exact[y * width + x]);
         if (kind) squares[kind] += `M${x} ${y}h1v1h-1z`;
-        if (kind === "missing" || kind === "unexpected") signs += `M${x + 0.2} ${y + 0.5}h.6`;
-        if (kind === "unexpected") signs += `M${x + 0.5} ${y + 0.2}v.6`;
+        if (kind === "missing" || kind === "unexpected") signs += `M${x + 0.1} ${y + 0.25}h.3`;
+        if (kind === "unexpected") signs += `M${x + 0.25} ${y + 0.1}v.3`;
         if (count < 2) continue;
         const place = {x: x + 0.95, y: y + 0.95};
         texts.push(svg("text", {...place, class: kind}, [String(count)]));

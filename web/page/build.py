@@ -17,7 +17,8 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCES = FOLDER.parent.parent
 # In order: each sees those before it.
 MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "session",
-           "scene", "board", "geometry", "numbers", "playground")  # fmt: skip
+           "scene", "board", "geometry", "methods", "numbers",
+           "playground")  # fmt: skip
 # The playground's cases: what each group is.
 SAVED = (
     ("Saved findings", "docs/findings/*.json",

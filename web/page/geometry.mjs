@@ -77,20 +77,21 @@ export function tiesOf(triangles, view) {
   return [...found.values()];
 }
 
-/** What is shown of a large target: where the pictures first differ, and where the cursor goes. */
-export function viewOf(view, {width, height}, exact, drawn, cursor) {
-  const sizes = [Math.min(width, MOST_SHOWN), Math.min(height, MOST_SHOWN)];
-  let from = view ? [view.x, view.y] : [0, 0];
-  let inside = cursor;
-  if (!view) {
-    const differing = exact.counts.findIndex((n, k) => drawn && n !== drawn.counts[k]);
-    const first = differing >= 0 ? differing : exact.counts.findIndex((n) => n > 0);
-    if (first >= 0) inside = [first % width, Math.floor(first / width)];
-  }
-  from = from.map((start, axis) => {
+/** The pixel to look at first: where the pictures differ, else in the middle of what is drawn. */
+export function firstLook({width, height}, exact, drawn) {
+  const differing = exact.counts.findIndex((n, k) => drawn && n !== drawn.counts[k]);
+  if (differing >= 0) return [differing % width, Math.floor(differing / width)];
+  const covered = exact.counts.flatMap((n, k) => n > 0 ? [k] : []);
+  const k = covered[covered.length >> 1] ?? (height >> 1) * width + (width >> 1);
+  return [k % width, Math.floor(k / width)];
+}
+
+/** What is shown of a large target: so much of the last view as has the cursor in it. */
+export function viewOf(view, {width, height}, cursor) {
+  const sizes = [width, height].map((side) => Math.min(side, MOST_SHOWN));
+  const [x, y] = [view?.x ?? 0, view?.y ?? 0].map((start, axis) => {
     const last = [width, height][axis] - sizes[axis];
-    const low = Math.min(start, inside[axis]);
-    return Math.min(Math.max(low, inside[axis] - sizes[axis] + 1), last);
+    return Math.min(Math.max(Math.min(start, cursor[axis]), cursor[axis] - sizes[axis] + 1), last);
   });
-  return {x: from[0], y: from[1], width: sizes[0], height: sizes[1]};
+  return {x, y, width: sizes[0], height: sizes[1]};
 }

@@ -25,13 +25,22 @@ export function nearest(triangles, [x, y]) {
       .sort((a, b) => a - b);
 }
 
+/** Whether a fraction of so few digits that a double holds it is k / 2 ** n. */
+function isDyadic(exact) {
+  const bottom = Number(exact.split("/")[1]);
+  return exact.length < 15 && Number.isInteger(Math.log2(bottom));
+}
+
 /** An exact number with what it is near, if that is shorter to read. */
 function exactCell(exact, near) {
   const text = exact.length > LONGEST ? `${exact.slice(0, LONGEST - 16)}… (${exact.length} digits)` :
                                         exact;
   const cell = made("td", text, {class: "number", title: exact});
+  const short = Number(near.toPrecision(6));
   if (exact.includes("/")) {
-    cell.append(made("span", ` ≈ ${Number(near.toPrecision(6))}`, {class: "why"}));
+    // Of a power of two the double is exact, unless it is rounded.
+    const isExact = short === near && isDyadic(exact);
+    cell.append(made("span", ` ${isExact ? "=" : "≈"} ${short}`, {class: "why"}));
   }
   return cell;
 }
@@ -70,8 +79,7 @@ export function numbersTable(rows, method) {
       ]);
     })];
   });
-  const head = ["Edge", "E, exactly", `E as ${method} computes it`, "Barycentric weight of the " +
-      "corner opposite"].map((text, k) => {
+  const head = ["Edge", "E exactly", `E by ${method}`, "Weight exactly"].map((text, k) => {
     return made("th", text, {scope: "col", ...(k > 0 && {class: "number"})});
   });
   return made("table", [made("thead", made("tr", head)), made("tbody", body)]);

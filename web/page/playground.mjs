@@ -5,7 +5,8 @@
 import {BadScene, caseOf, coordinate, linkOf, playOf, playOfLink, readCase} from "./scene.mjs";
 import {sceneOf} from "./scene.mjs";
 import {Board, svg} from "./board.mjs";
-import {movedTo, snapped, stepped, tiesOf, viewOf, windowPoint} from "./geometry.mjs";
+import {firstLook, movedTo, snapped, stepped, tiesOf, viewOf, windowPoint} from "./geometry.mjs";
+import {wordsOf} from "./methods.mjs";
 import {nearest, numbersTable} from "./numbers.mjs";
 
 const EXACT = {window: "filtered-exact", clip: "hom-exact"};
@@ -99,9 +100,13 @@ class Playground {
         board.svg.setPointerCapture(event.pointerId);
         this.#drag = {vertex: Number(corner.dataset.vertex), before: this.#play};
       });
-      for (const end of ["pointerup", "pointercancel"]) {
-        board.svg.addEventListener(end, () => this.#endDrag());
-      }
+      // A finger on a corner drags it; elsewhere it scrolls. Not every browser heeds touch-action
+      // of what is in an SVG.
+      board.svg.addEventListener("touchstart", (event) => {
+        if (event.target.closest("[data-vertex]")) event.preventDefault();
+      }, {passive: false});
+      board.svg.addEventListener("pointerup", (event) => this.#endDrag(board.at(event)));
+      board.svg.addEventListener("pointercancel", () => this.#cancelDrag());
     }
     const [first] = this.#boards;
     first.svg.setAttribute("tabindex", "0");
@@ -140,13 +145,21 @@ class Playground {
     this.#update();
   }
 
-  #endDrag() {
+  /** A press that moved nothing leaves the corner, though it was beside it by a bit. */
+  #endDrag(point) {
     const drag = this.#drag;
+    if (drag && this.#play !== drag.before) this.#dragTo(point);
     this.#drag = null;
     if (!drag || this.#play === drag.before) return;
     const after = this.#play;
     this.#play = drag.before;
     this.#change(after);
+  }
+
+  #cancelDrag() {
+    if (this.#drag) this.#play = this.#drag.before;
+    this.#drag = null;
+    this.#update();
   }
 
   #inspect([x, y]) {
@@ -187,8 +200,7 @@ class Playground {
     if (this.#play) this.#past.push(this.#play);
     this.#future = [];
     this.#play = {...play, subject};
-    this.#cursor = [Math.floor(play.width / 2), Math.floor(play.height / 2)];
-    this.#view = null;
+    this.#view = null;  // The picture says where to look first.
     this.#update();
   }
 
@@ -291,7 +303,6 @@ class Playground {
   async #render() {
     const play = this.#play;
     const {subject, width, height} = play;
-    const centre = this.#cursor.map((n) => n + 0.5);
     const exact = await this.#ask((engine) => {
       return engine.draw(EXACT[isClip(play) ? "clip" : "window"], sceneOf(play));
     });
@@ -299,12 +310,14 @@ class Playground {
       this.#complain(`The engine does not take this scene: ${this.#fault}`);
       return;
     }
-    const at = isClip(play) ? undefined : centre;
-    const drawn = await this.#ask((engine) => engine.draw(subject, this.#sceneFor(subject), at));
+    const ask = (at) => this.#ask((engine) => engine.draw(subject, this.#sceneFor(subject), at));
+    if (!this.#view) this.#cursor = firstLook(play, exact, await ask());
+    this.#view = viewOf(this.#view, play, this.#cursor);
+    const centre = this.#cursor.map((n) => n + 0.5);
+    const drawn = await ask(isClip(play) ? undefined : centre);
     const triangles = play.triangles.map((indices) => ({
       indices, corners: indices.map((k) => windowPoint(play.vertices[k]) ?? [NaN, NaN]),
     }));
-    this.#view = viewOf(this.#view, play, exact, drawn, this.#cursor);
     const ties = tiesOf(triangles, this.#view);
     const rows = [];
     for (const k of isClip(play) ? [] : nearest(triangles, centre)) {
@@ -328,13 +341,15 @@ class Playground {
       cursor: this.#cursor};
     const [first, second] = this.#boards;
     first.show({...common, counts: exact.counts});
-    second.show({...common, counts: drawn?.counts ?? null});
+    // Ties would hide the signs of what differs.
+    second.show({...common, ties: [], counts: drawn?.counts ?? null});
     first.title = `Exact arithmetic${this.#partShown()}`;
     second.title = this.#methodTitle();
     second.svg.setAttribute("aria-label", second.title);
     first.svg.setAttribute("aria-label", `Exact picture of ${play.width} by ${play.height} ` +
         "pixels. Arrow keys move the pixel whose numbers are shown, Tab goes to the corners");
     this.#placeCorners();
+    byId("words").textContent = wordsOf(play.subject);
     byId("said").textContent = this.#sentence();
     byId("numbers").replaceChildren(numbersTable(rows, play.subject));
     byId("clip").hidden = !isClip(play);

@@ -5,7 +5,6 @@ usage: passport_test.py SOURCE_FOLDER CHROMIUM
 PICTURES in the environment: a folder for the page's pictures at three widths.
 """
 
-import base64
 import json
 import os
 import pathlib
@@ -179,9 +178,7 @@ class Passport(unittest.TestCase):
                     if not folder:
                         continue
                     name = f"{width}-{'dark' if dark else 'light'}-{plant or 'sound'}.png"
-                    picture = self.page.browser.call("Page.captureScreenshot",
-                                                     captureBeyondViewport=True)  # fmt: skip
-                    pathlib.Path(folder, name).write_bytes(base64.b64decode(picture["data"]))
+                    self.page.picture(folder, name)
 
 
 if __name__ == "__main__":

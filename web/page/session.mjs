@@ -33,6 +33,12 @@ function turn() {
   });
 }
 
+/** Why the drawer does not draw a request; null if it does. */
+function refusal({width, height}, {largestTarget}) {
+  if (Math.max(width, height) <= largestTarget) return null;
+  return `a target of ${width} x ${height} pixels: the page draws sides up to ${largestTarget}`;
+}
+
 /** The scene of a request. All its numbers are float32 ones: the engine was told so. */
 function sceneOf({width, height, samples, vertices, triangles}, reach) {
   const points = new Float32Array(vertices.length / 2);
@@ -111,11 +117,13 @@ class Session {
     while (answers.length < requests.length) {
       const since = performance.now();
       const batch = requests.slice(answers.length, answers.length + this.#batch);
-      const drawn = await Promise.all(
-          batch.map((request) => this.#drawer.draw(sceneOf(request, reach))));
-      for (const counts of drawn) {
-        answers.push({counts: facingCounts(counts, this.#drawer.info.yAxis)});
-      }
+      const {info} = this.#drawer;
+      answers.push(...await Promise.all(batch.map(async (request) => {
+        const refused = refusal(request, info);
+        if (refused) return {refused};
+        const counts = await this.#drawer.draw(sceneOf(request, reach));
+        return {counts: facingCounts(counts, info.yAxis)};
+      })));
       this.#record.draws += batch.length;
       const spent = performance.now() - since;
       if (spent < LEAST_MILLISECONDS) this.#batch = Math.min(2 * this.#batch, MOST_DRAWS);

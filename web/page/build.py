@@ -16,8 +16,8 @@ import re
 FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCES = FOLDER.parent.parent
 # In order: each sees those before it.
-MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "session",
-           "scene", "board", "geometry", "methods", "numbers",
+MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "scene",
+           "board", "geometry", "methods", "numbers", "picture", "session",
            "playground")  # fmt: skip
 # The playground's cases: what each group is.
 SAVED = (

@@ -55,6 +55,10 @@
  */
 
 export const LEAST_SIDE = 256;
+/* Sides that drawers offer where the device has them, and samples: 8 bytes each are as many as every
+   device of WebGPU binds. */
+export const MOST_SIDE = 4096;
+const MOST_SAMPLES = 2 ** 24;
 
 /** The device or context is gone; what was asked has no answer. */
 export class LostError extends Error {
@@ -69,18 +73,36 @@ export function powerBelow(n) {
   return 2 ** Math.floor(Math.log2(n));
 }
 
-/** The side of the square target that holds the scene: a power of two, so that scaling is exact. */
+const padded = (n) => 2 ** Math.ceil(Math.log2(Math.max(n, LEAST_SIDE)));
+
+/** The side of the square that holds the scene: a power of two, so that scaling is exact. */
 export function paddedSide(scene) {
-  const longest = Math.max(scene.width, scene.height, LEAST_SIDE);
-  return 2 ** Math.ceil(Math.log2(longest));
+  return padded(Math.max(scene.width, scene.height));
+}
+
+/** Width and height of the target: an ordinary viewport has to lie in it. */
+export function targetSides(scene, viewport) {
+  const side = paddedSide(scene);
+  return viewport.kind === "centred" ? [padded(scene.width), padded(scene.height)] : [side, side];
+}
+
+/** Why a drawer does not draw a target of this size; null if it does. */
+export function refusalOf({width, height, samples = 1}, {largestTarget}) {
+  if (Math.max(width, height) > largestTarget) {
+    return `a target of ${width} x ${height}; sides are 1 to ${largestTarget}`;
+  }
+  if (width * height * samples <= MOST_SAMPLES) return null;
+  return `a target of ${width} x ${height} x ${samples} samples; ${MOST_SAMPLES} are the most`;
 }
 
 export function checkScene(scene, info) {
   const {width, height, samples = 1, triangles, vertices} = scene;
   const sides = [width, height];
-  if (!sides.every((n) => Number.isInteger(n) && n > 0 && n <= info.largestTarget)) {
-    throw new RangeError(`a target of ${width} x ${height}; sides are 1 to ${info.largestTarget}`);
+  if (!sides.every((n) => Number.isInteger(n) && n > 0)) {
+    throw new RangeError(`a target of ${width} x ${height}`);
   }
+  const refusal = refusalOf(scene, info);
+  if (refusal) throw new RangeError(refusal);
   if (!info.samples.includes(samples)) {
     throw new RangeError(`${samples} samples a pixel; the device has ${info.samples.join(", ")}`);
   }

@@ -1,4 +1,6 @@
 /* The page's side of a run: what it shows, and where the worker comes from. */
+const parts = modules();
+const {svg} = parts.board;
 const byId = (id) => document.getElementById(id);
 const KEPT = "rasterproof-run";
 const PROOF_NAMES = {
@@ -90,15 +92,8 @@ function showProof({record}) {
   }));
 }
 
-function svg(name, attributes, children = []) {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  element.append(...children);
-  return element;
-}
-
 /** Counts as squares, one a sample; those that differ from the others' are framed. */
-function figure(title, counts, others, {width, height, samples}, at) {
+function figure(title, counts, others, {x: left, y: top, width, height, samples}, at) {
   const across = samples === 1 ? 1 : 2;
   const cells = [];
   counts.forEach((count, k) => {
@@ -116,25 +111,42 @@ function figure(title, counts, others, {width, height, samples}, at) {
   const differing = counts.filter((count, k) => count !== others[k]).length;
   const picture = svg("svg", {
     viewBox: `0 0 ${across * width} ${across * height}`, role: "img",
-    "aria-label": `${title}: ${width} x ${height} pixels, ${differing} samples differ`,
+    "aria-label": `${title}: ${width} x ${height} pixels from (${left}, ${top}), ${
+      differing} samples differ`,
   }, cells);
   return made("figure", [made("figcaption", title), picture]);
 }
 
-function showFailure({message, pixel, sample, expected, actual, picture}) {
+const MODEL_WORDS = {
+  "filtered-exact": "corners as given",
+  "i32-snap4": "corners rounded to 1/16 pixel",
+  "i64-snap8": "corners rounded to 1/256 pixel",
+};
+
+function showFailure({message, clause, pixel, sample, expected, actual, picture, ...failure}) {
   const where = pixel ? ` First at pixel (${pixel.join(", ")}), sample ${sample ?? 0}: ` +
-      `expected ${expected}, drawn ${actual}.` : "";
-  show("failure", {"pictures": [], "edges": [], "failure-said": [`${message}.${where}`]});
-  if (!picture) return;
-  const at = (pixel[1] * picture.width + pixel[0]) * picture.samples + (sample ?? 0);
+      `expected ${expected}; drawn: ${actual}.` : "";
+  show("failure", {"pictures": [], "edges": [], "failure-said": [`${message}.${where}`],
+    "failure-clause": [clause]});
+  byId("failure-link").href = parts.scene.linkOf(parts.scene.playOf(failure.case));
+  if (!picture) {
+    byId("edges").append(made("p", "There is no picture of this case: it is too large, or in " +
+        "clip space.", {class: "why"}));
+    return;
+  }
+  const at = pixel ? ((pixel[1] - picture.y) * picture.width + pixel[0] - picture.x) *
+      picture.samples + (sample ?? 0) : -1;
   byId("pictures").append(
-      figure("Expected", picture.expected, picture.actual, picture, at),
-      figure("Drawn", picture.actual, picture.expected, picture, at));
-  const key = "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs.";
-  byId("edges").append(made("p", key, {class: "why"}), ...picture.edges.map(
-      ({triangle, values}) => {
-        return made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`));
-      }));
+      figure(`Expected of the nearest model: ${MODEL_WORDS[picture.model]}`, picture.expected,
+          picture.actual, picture, at),
+      figure("Drawn by this device", picture.actual, picture.expected, picture, at));
+  const isAlike = picture.actual.every((n, k) => n === picture.expected[k]);
+  byId("edges").append(made("p", isAlike ?
+    "Drawn once more, the case looks right here: the property compares it with other drawings." :
+    "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs.",
+  {class: "why"}), ...picture.edges.map(({triangle, values}) => {
+    return made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`));
+  }));
 }
 
 /** What fails the run goes first; a lack of quality alone is shown, too. */
@@ -153,18 +165,34 @@ function showResult({result}) {
       ["Samples on edges", model.ties],
     ])});
   }
+  const grids = properties.find(({property}) => property === "OneGridExplainsEveryCall");
+  if (!model && grids?.outcome === "holds" && grids.message) {
+    show("model", {"model-facts": facts([["Its grid", grids.message]])});
+  }
   const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
-  show("verdicts", {"verdict-rows": properties.map((one) => made("tr", [
-    made("th", made("span", one.property, {class: "name"}), {scope: "row"}),
-    made("td", chip(one.outcome)),
-    made("td", one.cases, {class: "number"}),
-    made("td", clauses.get(one.property) ?? one.message),
-  ]))});
+  const place = ({outcome}) => (ORDER.indexOf(outcome) + ORDER.length) % ORDER.length;
+  const asked = properties.filter(({outcome}) => outcome !== "not applicable");
+  show("verdicts", {"verdict-rows": asked.sort((a, b) => place(a) - place(b)).map((one) => {
+    return made("tr", [
+      made("th", made("span", one.property, {class: "name"}), {scope: "row"}),
+      made("td", chip(one.outcome)),
+      made("td", one.cases, {class: "number"}),
+      made("td", clauses.get(one.property) ?? one.message),
+    ]);
+  })});
   const first = firstFailure(result);
   if (first) showFailure(first);
-  const rows = unasked.map(({what, why}) => made("li", `${what}: ${why}`));
+  const notAsked = properties.filter(({outcome}) => outcome === "not applicable")
+      .map(({property, message}) => ({what: property, why: message}));
+  const rows = [...unasked, ...notAsked].map(({what, why}) => {
+    return made("li", why ? `${what}: ${why}` : what);
+  });
   show("unasked", {"unasked-rows": rows.length > 0 ? rows : [made("li", "nothing")]});
+  byId("unasked-count").textContent = rows.length;
 }
+
+/* What comes first in the table; what is not named here goes before the last. */
+const ORDER = ["violated", "inconclusive", "quality", "refused", "holds", "not exercised"];
 
 const SENTENCES = {
   holds: "No sentence of the specification that was asked of this device is broken.",
@@ -334,7 +362,6 @@ byId("copy").addEventListener("click", copy);
 document.addEventListener("visibilitychange", hide);
 if (!navigator.gpu) byId("ask").elements.api.value = "webgl2";
 if (kept()) setState("idle", "A run was left before its end: Resume goes on where it was.");
-const parts = modules();
 const playing = parts.playground.playground(parts.engine.Engine, PRESETS);
 // For tests, and for whoever wants to look from the console.
 globalThis.rasterproof = {

@@ -7,11 +7,12 @@
  * draws, milliseconds} and "saved" {bytes} in turn, and at last "stopped" {bytes} or "done"
  * {outcome, reason, result, losses, pauses, draws, milliseconds, bytes}.
  */
-import {LostError} from "./drawer.mjs";
+import {LostError, refusalOf} from "./drawer.mjs";
 import {open as openWebGl2} from "./webgl2.mjs";
 import {open as openWebGpu} from "./webgpu.mjs";
 import {prove} from "./self_proof.mjs";
 import {Engine} from "./engine.mjs";
+import {pictureOf} from "./picture.mjs";
 
 const OPENERS = {webgl2: openWebGl2, webgpu: openWebGpu};
 const OUTCOMES = {0: "holds", 1: "violated", 4: "inconclusive"};
@@ -20,6 +21,8 @@ const LEAST_MILLISECONDS = 20;
 const MOST_MILLISECONDS = 50;
 const MOST_DRAWS = 256;
 const SAVE_MILLISECONDS = 1000;
+/* Evaluations a failure: some seconds, where each waits for a GPU. */
+const MOST_SHRINKING = 60;
 
 /** Lets messages in. No timer: those of hidden tabs stand still. */
 function turn() {
@@ -31,12 +34,6 @@ function turn() {
     };
     port2.postMessage(null);
   });
-}
-
-/** Why the drawer does not draw a request; null if it does. */
-function refusal({width, height}, {largestTarget}) {
-  if (Math.max(width, height) <= largestTarget) return null;
-  return `a target of ${width} x ${height} pixels: the page draws sides up to ${largestTarget}`;
 }
 
 /** The scene of a request. All its numbers are float32 ones: the engine was told so. */
@@ -119,7 +116,7 @@ class Session {
       const batch = requests.slice(answers.length, answers.length + this.#batch);
       const {info} = this.#drawer;
       answers.push(...await Promise.all(batch.map(async (request) => {
-        const refused = refusal(request, info);
+        const refused = refusalOf(request, info);
         if (refused) return {refused};
         const counts = await this.#drawer.draw(sceneOf(request, reach));
         return {counts: facingCounts(counts, info.yAxis)};
@@ -154,8 +151,26 @@ class Session {
     const profile = {webgpu: "webgpu", webgl2: "gl"}[api] + (samples > 1 ? `-${samples}x` : "");
     const takes = ["window"];
     const subject = {name: api, input: "float32", coverage: "facing-counts", takes};
-    this.#engine.open({subject, profile, cases, seed});
+    this.#engine.open({subject, profile, cases, seed, shrink: MOST_SHRINKING});
     if (saved) this.#engine.load(saved);
+  }
+
+  /** To what fails first. Whatever goes wrong with it, the verdict stays. */
+  async #addPicture({subjects: [{failures}]}) {
+    const {samples} = this.#asked;
+    const failure = failures.find(({fails}) => fails) ?? failures[0];
+    if (!failure) return;
+    const draw = async (request) => {
+      const [{counts}] = await this.#answers([request]) ?? [{}];
+      if (!counts) throw new Error("no counts");
+      const half = counts.length / 2;
+      return {front: counts.subarray(0, half), back: counts.subarray(half)};
+    };
+    try {
+      failure.picture = await pictureOf(failure, samples, draw, await Engine.create());
+    } catch (error) {
+      failure.noPicture = error.message;
+    }
   }
 
   async run() {
@@ -185,6 +200,7 @@ class Session {
         this.#post({type: "saved", bytes: this.#engine.save()});
       }
       const result = this.#engine.result();
+      await this.#addPicture(result);
       finish(OUTCOMES[result.status] ?? "inconclusive", null, result);
     } catch (error) {
       finish("inconclusive", error.message);

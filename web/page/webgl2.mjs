@@ -3,7 +3,8 @@
  * several samples a pixel only the average can be read: counts are sums over a pixel.
  */
 import {
-  LostError, addCounts, checkScene, clipVertices, paddedSide, parts, powerBelow, viewportOf,
+  LostError, MOST_SIDE, addCounts, checkScene, clipVertices, parts, powerBelow, targetSides,
+  viewportOf,
 } from "./drawer.mjs";
 
 /* one: what a fragment adds, and a count of 1 is in the target. */
@@ -89,8 +90,8 @@ class WebGl2Drawer {
     });
   }
 
-  #framebuffer(side, samples) {
-    return this.#kept(`target ${side} ${samples}`, () => {
+  #framebuffer(sides, samples) {
+    return this.#kept(`target ${sides} ${samples}`, () => {
       const gl = this.#gl;
       const framebuffer = gl.createFramebuffer();
       gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
@@ -98,9 +99,9 @@ class WebGl2Drawer {
       gl.bindRenderbuffer(gl.RENDERBUFFER, target);
       const format = gl[this.#format.name];
       if (samples > 1) {
-        gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, side, side);
+        gl.renderbufferStorageMultisample(gl.RENDERBUFFER, samples, format, ...sides);
       } else {
-        gl.renderbufferStorage(gl.RENDERBUFFER, format, side, side);
+        gl.renderbufferStorage(gl.RENDERBUFFER, format, ...sides);
       }
       gl.framebufferRenderbuffer(
           gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.RENDERBUFFER, target);
@@ -155,8 +156,8 @@ class WebGl2Drawer {
   #drawPart(part, scene) {
     const gl = this.#gl;
     const {width, height, samples = 1} = scene;
-    const side = paddedSide(scene);
-    const framebuffer = this.#framebuffer(side, samples);
+    const sides = targetSides(scene, this.info.viewport);
+    const framebuffer = this.#framebuffer(sides, samples);
     gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
     const rectangle = viewportOf(scene, this.info.viewport);
     gl.viewport(...rectangle);
@@ -172,11 +173,11 @@ class WebGl2Drawer {
       if (pass.indices.length > 0) this.#drawPass(pass, scene, samples, 2 / rectangle[2]);
     }
     if (samples > 1) {
-      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.#framebuffer(side, 1));
+      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, this.#framebuffer(sides, 1));
       gl.bindFramebuffer(gl.READ_FRAMEBUFFER, framebuffer);
       gl.blitFramebuffer(
           0, 0, width, height, 0, 0, width, height, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-      gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer(side, 1));
+      gl.bindFramebuffer(gl.FRAMEBUFFER, this.#framebuffer(sides, 1));
     }
   }
 
@@ -284,7 +285,7 @@ export async function open({viewport, format, plant = {}} = {}) {
   const most = chosen.one === 1 ? gl.getInternalformatParameter(
       gl.RENDERBUFFER, gl[chosen.name], gl.SAMPLES) : [];
   const adapter = adapterOf(gl);
-  const side = Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), bounds, 2048);
+  const side = Math.min(gl.getParameter(gl.MAX_RENDERBUFFER_SIZE), reach, MOST_SIDE);
   return new WebGl2Drawer(gl, chosen, {
     api: "webgl2",
     adapter,

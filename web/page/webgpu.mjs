@@ -1,6 +1,7 @@
 /** Draws with WebGPU: additive blending into half floats, read sample by sample. */
 import {
-  LostError, addCounts, checkScene, clipVertices, paddedSide, parts, powerBelow, viewportOf,
+  LostError, MOST_SIDE, addCounts, checkScene, clipVertices, parts, powerBelow, targetSides,
+  viewportOf,
 } from "./drawer.mjs";
 
 const FORMAT = "rgba16float";
@@ -84,9 +85,9 @@ class WebGpuDrawer {
     return buffer;
   }
 
-  #target(side, samples) {
-    return this.#kept(`target ${side} ${samples}`, () => this.#device.createTexture({
-      size: [side, side],
+  #target(sides, samples) {
+    return this.#kept(`target ${sides} ${samples}`, () => this.#device.createTexture({
+      size: sides,
       sampleCount: samples,
       format: FORMAT,
       usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING,
@@ -128,7 +129,7 @@ class WebGpuDrawer {
   /** Encodes one part of a drawing; the counts lie in the buffer that it returns. */
   #encode(encoder, scene, part, vertices, toDestroy) {
     const {width, height, samples = 1} = scene;
-    const view = this.#target(paddedSide(scene), samples);
+    const view = this.#target(targetSides(scene, this.info.viewport), samples);
     const pass = encoder.beginRenderPass({
       colorAttachments: [{
         view, loadOp: "clear", storeOp: "store", clearValue: [...part.start, 0, 0],
@@ -297,7 +298,7 @@ export async function open({viewport, plant = {}} = {}) {
     hidden: [...names.filter((name) => !told.includes(name)), "subpixel bits", "sample places"],
     samples: [1, 4],
     subpixelBits: null,
-    largestTarget: 2048,  // of 4 samples as many bytes as every device binds
+    largestTarget: Math.min(MOST_SIDE, reach),
     ceiling: CEILING,
     yAxis: "down",
     perSample: true,

@@ -47,8 +47,10 @@ class Passport(unittest.TestCase):
         return self.page.value("rasterproof.certificate()")
 
     def shown(self):
-        return self.page.value("""Array.from(document.querySelectorAll("section:not([hidden])"),
-                                  (section) => section.id)""")
+        """What of the run the page shows: the playground is always there."""
+        sections = "section:not([hidden]):not(#playground)"
+        return self.page.value(f"""Array.from(document.querySelectorAll("{sections}"),
+                                   (section) => section.id)""")
 
     def test_keys_alone_run_it_and_nothing_is_fetched(self):
         self.page.value('document.querySelector("[name=seed]").focus()')
@@ -81,7 +83,11 @@ class Passport(unittest.TestCase):
                     self.assertEqual(self.certificate()["outcome"], "violated")
                     self.assertEqual(self.shown(), [s for s in SECTIONS if s != "model"])
                     framed = self.page.value('document.querySelectorAll("svg .differs").length')
-                    self.assertGreaterEqual(framed, 2)
+                    if plant == "every-1000th-lost":  # not by the same case twice
+                        self.assertIn("Drawn once more, the case looks right",
+                                      self.page.text("edges"))  # fmt: skip
+                    else:
+                        self.assertGreaterEqual(framed, 2)
                     self.assertIn("violated", self.page.text("verdict"))
         self.assertIn("```json", self.page.value("rasterproof.reportText()"))
 

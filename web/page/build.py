@@ -17,8 +17,10 @@ FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCES = FOLDER.parent.parent
 # In order: each sees those before it.
 MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "scene",
-           "board", "geometry", "methods", "numbers", "picture", "session",
-           "playground")  # fmt: skip
+           "board", "geometry", "corners", "methods", "numbers", "picture", "session",
+           "reproducer", "compare", "playground")  # fmt: skip
+# In a function of their own, whose text goes into reproducers.
+DRAWERS = MODULES[:3]
 # The playground's cases: what each group is.
 SAVED = (
     ("Saved findings", "docs/findings/*.json",
@@ -87,11 +89,14 @@ def presets():
 def script(engine, wasm, plants):
     paths = {name: FOLDER / f"{name}.mjs" for name in MODULES}
     paths |= {"engine": engine, "plants": plants}
-    bodies = ""
+    drawers = ", ".join(DRAWERS)
+    bodies = "function drawers() {\n"
     for name, path in paths.items():
         bodies += module(name, path) if path else ""
         bodies += used(wasm) if wasm and name == "engine" else ""
-    named = ", ".join(name for name, path in paths.items() if path)
+        if name == DRAWERS[-1]:
+            bodies += f"return {{{drawers}}};\n}}\nconst {{{drawers}}} = drawers();\n"
+    named = ", ".join(["drawers", *(name for name, path in paths.items() if path)])
     page = (FOLDER / "page.mjs").read_text(encoding="utf-8")
     # One function: the page calls it where a worker can't have a GPU, else a worker is made of it.
     return (f'"use strict";\nconst PRESETS = {presets()};\n'
@@ -99,7 +104,8 @@ def script(engine, wasm, plants):
 
 
 def build(engine, wasm, plants):
-    text = script(engine, wasm, plants)
+    # A text within the script would end it.
+    text = script(engine, wasm, plants).replace("</script", "<\\/script")
     digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
     html = (FOLDER / "page.html").read_text(encoding="utf-8")
     styles = (SOURCES / "report" / "page.css", FOLDER / "page.css", FOLDER / "playground.css")

@@ -129,6 +129,7 @@ function showFailure({message, clause, pixel, sample, expected, actual, picture,
   show("failure", {"pictures": [], "edges": [], "failure-said": [`${message}.${where}`],
     "failure-clause": [clause]});
   byId("failure-link").href = parts.scene.linkOf(parts.scene.playOf(failure.case));
+  byId("reproduce").hidden = !picture;
   if (!picture) {
     byId("edges").append(made("p", "There is no picture of this case: it is too large, or in " +
         "clip space.", {class: "why"}));
@@ -143,7 +144,8 @@ function showFailure({message, clause, pixel, sample, expected, actual, picture,
   const isAlike = picture.actual.every((n, k) => n === picture.expected[k]);
   byId("edges").append(made("p", isAlike ?
     "Drawn once more, the case looks right here: the property compares it with other drawings." :
-    "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs.",
+    "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs. The model is " +
+    "the nearest of three; the verdict is of all legal ones.",
   {class: "why"}), ...picture.edges.map(({triangle, values}) => {
     return made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`));
   }));
@@ -323,17 +325,52 @@ function reportText() {
   ];
   if (failure) {
     lines.push(`${failure.property}: ${failure.message}`,
-        `at pixel (${failure.pixel}): expected ${failure.expected}, drawn ${failure.actual}`,
+        `clause: ${failure.clause}`,
+        ...(failure.pixel ? [`at pixel (${failure.pixel})`] : []),
+        `expected: ${failure.expected}`, `drawn: ${failure.actual}`,
+        "`rasterproof replay` takes this case; the page saves one that draws it alone.",
         "```json", JSON.stringify(failure.case), "```");
   }
   return lines.join("\n");
 }
 
-function save() {
-  const blob = new Blob([JSON.stringify(certificate(), null, 1)], {type: "application/json"});
-  const link = made("a", "", {download: "passport.json", href: URL.createObjectURL(blob)});
+function saveAs(download, text, type) {
+  const link = made("a", "", {download, href: URL.createObjectURL(new Blob([text], {type}))});
   link.click();
   URL.revokeObjectURL(link.href);
+}
+
+function save() {
+  saveAs("passport.json", JSON.stringify(certificate(), null, 1), "application/json");
+}
+
+const reproducerPage = () => {
+  return parts.reproducer.reproducer(firstFailure(run.done.result), run.asked, parts.drawers);
+};
+
+/* The texts of two files, as they come. */
+const compared = {first: null, second: null};
+
+async function compareFile(which, file) {
+  const {compare, readCertificate} = parts.compare;
+  byId("compare-table").hidden = true;
+  try {
+    compared[which] = file && readCertificate(await file.text(), file.name);
+  } catch (error) {
+    compared[which] = null;
+    byId("compare-said").textContent = `${error.message}.`;
+    return;
+  }
+  const {first, second} = compared;
+  byId("compare-said").textContent = "";
+  if (!first || !second) return;
+  const {said, rows} = compare(first, second);
+  byId("compare-said").textContent = said;
+  byId("compare-table").hidden = rows.length === 0;
+  byId("compare-rows").replaceChildren(...rows.map((row) => made("tr", [
+    made("th", row.what, {scope: "row"}), made("td", row.first), made("td", row.second),
+    made("td", row.why),
+  ])));
 }
 
 async function copy() {
@@ -359,6 +396,14 @@ byId("resume").addEventListener("click", () => {
 });
 byId("save").addEventListener("click", save);
 byId("copy").addEventListener("click", copy);
+byId("reproduce").addEventListener("click", () => {
+  saveAs("reproducer.html", reproducerPage(), "text/html");
+});
+for (const which of ["first", "second"]) {
+  byId(`compare-${which}`).addEventListener("change", ({target}) => {
+    compareFile(which, target.files[0]);
+  });
+}
 document.addEventListener("visibilitychange", hide);
 if (!navigator.gpu) byId("ask").elements.api.value = "webgl2";
 if (kept()) setState("idle", "A run was left before its end: Resume goes on where it was.");
@@ -366,4 +411,5 @@ const playing = parts.playground.playground(parts.engine.Engine, PRESETS);
 // For tests, and for whoever wants to look from the console.
 globalThis.rasterproof = {
   modules, start, certificate, reportText, tell: (type) => port.post({type}), playing,
+  reproducerPage, compareFile,
 };

@@ -2,9 +2,9 @@
  * The playground: corners to move, what exact arithmetic draws, and a method beside it.
  * `playground(Engine, presets)` fills the section of page.html and returns what tests look at.
  */
-import {BadScene, caseOf, coordinate, linkOf, playOf, playOfLink, readCase} from "./scene.mjs";
-import {sceneOf} from "./scene.mjs";
-import {Board, svg} from "./board.mjs";
+import {BadScene, caseOf, linkOf, playOf, playOfLink, readCase, sceneOf} from "./scene.mjs";
+import {Board} from "./board.mjs";
+import {cornerOf, listCorners, typedCoordinate} from "./corners.mjs";
 import {firstLook, movedTo, snapped, stepped, tiesOf, viewOf, windowPoint} from "./geometry.mjs";
 import {wordsOf} from "./methods.mjs";
 import {nearest, numbersTable} from "./numbers.mjs";
@@ -13,7 +13,6 @@ const EXACT = {window: "filtered-exact", clip: "hom-exact"};
 const IN_CLIP_SPACE = /^(hom-|kernel-clip)/;
 const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
 const FAST = 16;
-const MOST_LISTED = 24;
 
 const byId = (id) => document.getElementById(`play-${id}`);
 const isClip = ({vertices}) => vertices[0]?.length === 4;
@@ -44,15 +43,17 @@ class Playground {
 
   // What there is to choose from.
   #offer(presets) {
-    const groups = Map.groupBy ? Map.groupBy(presets, ({group}) => group) : grouped(presets);
     byId("preset").append(new Option("your own", "", true, true));
     byId("preset").firstChild.disabled = true;
-    for (const [label, list] of groups) {
-      const group = document.createElement("optgroup");
-      group.label = label;
-      group.append(...list.map((preset) => new Option(preset.title, presets.indexOf(preset))));
-      byId("preset").append(group);
-    }
+    presets.forEach(({group, title}, k) => {
+      let last = byId("preset").lastElementChild;
+      if (last.label !== group) {
+        last = document.createElement("optgroup");
+        last.label = group;
+        byId("preset").append(last);
+      }
+      last.append(new Option(title, k));
+    });
     byId("method").append(...this.#engine.methods().map((name) => new Option(name)));
   }
 
@@ -357,7 +358,8 @@ class Playground {
     byId("undo").disabled = this.#past.length === 0;
     byId("redo").disabled = this.#future.length === 0;
     byId("method").value = play.subject;
-    this.#listCorners();
+    listCorners(byId("corners"), play.vertices, (...typed) => this.#type(...typed));
+    byId("precision").textContent = `Numbers are ${play.precision} ones.`;
   }
 
   #partShown() {
@@ -426,34 +428,9 @@ class Playground {
     }
   }
 
-  #listCorners() {
-    const {vertices, precision} = this.#play;
-    const holder = byId("corners");
-    if (holder.contains(document.activeElement)) return;
-    const rows = vertices.slice(0, MOST_LISTED).map((vertex, k) => {
-      const inputs = vertex.map((x, axis) => {
-        const input = document.createElement("input");
-        input.value = Object.is(x, -0) ? "-0" : x;
-        input.setAttribute("aria-label", `Corner ${k}, ${"xyzw"[axis]}`);
-        input.addEventListener("change", () => this.#type(k, axis, input));
-        return input;
-      });
-      const row = document.createElement("li");
-      row.append(`${k}: `, ...inputs);
-      return row;
-    });
-    const rest = vertices.length > MOST_LISTED ? `${vertices.length - MOST_LISTED} more. ` : "";
-    byId("precision").textContent = `${rest}Numbers are ${precision} ones.`;
-    holder.replaceChildren(...rows);
-  }
-
-  #type(vertex, axis, input) {
+  #type(vertex, axis, text) {
     this.#try(() => {
-      const text = input.value.trim();
-      const number = text !== "" && Number.isFinite(Number(text)) && !/x/i.test(text) ?
-          Number(text) : text;
-      const value = coordinate(number, this.#play.precision,
-          `Corner ${vertex}, ${"xyzw"[axis]},`);
+      const value = typedCoordinate(text, this.#play.precision, `Corner ${vertex}, ${"xyzw"[axis]},`);
       const vertices = this.#play.vertices.map((old) => [...old]);
       vertices[vertex][axis] = value;
       this.#complain("");
@@ -469,26 +446,6 @@ class Playground {
       cursor: this.#cursor, rows: rows.map(({k, decided, edges}) => ({k, ...decided, drawn: edges})),
     };
   }
-}
-
-function grouped(presets) {
-  const groups = new Map();
-  for (const preset of presets) {
-    groups.set(preset.group, [...groups.get(preset.group) ?? [], preset]);
-  }
-  return groups;
-}
-
-/** A corner to take: a large invisible disc, a small visible one, and the vertex's number. */
-function cornerOf(holder, board) {
-  const vertex = holder.childElementCount;
-  const isFirst = board.svg.getAttribute("role") === "application";
-  const attributes = isFirst ? {tabindex: 0, role: "button", "aria-roledescription": "corner"} :
-                               {"aria-hidden": "true"};
-  return svg("g", {"data-vertex": vertex, class: "corner", ...attributes}, [
-    svg("circle", {r: 5.5, class: "reach"}), svg("circle", {r: 1.6, class: "dot"}),
-    svg("text", {x: 2.2, y: -2}, [String(vertex)]),
-  ]);
 }
 
 const cellAt = ([x, y]) => ({x, y, width: 1, height: 1});

@@ -48,7 +48,7 @@ class Passport(unittest.TestCase):
 
     def shown(self):
         """What of the run the page shows: the playground is always there."""
-        sections = "section:not([hidden]):not(#playground)"
+        sections = "section:not([hidden]):not(#playground, #compare)"
         return self.page.value(f"""Array.from(document.querySelectorAll("{sections}"),
                                    (section) => section.id)""")
 
@@ -90,6 +90,70 @@ class Passport(unittest.TestCase):
                         self.assertGreaterEqual(framed, 2)
                     self.assertIn("violated", self.page.text("verdict"))
         self.assertIn("```json", self.page.value("rasterproof.reportText()"))
+
+    def test_a_reproducer_draws_its_case_alone(self):
+        for api in ("webgpu", "webgl2"):
+            self.page.open()
+            self.start(api, plant="half-pixel-shift")
+            self.page.wait_for("done")
+            framed = self.page.value('document.querySelectorAll("#pictures .differs").length')
+            text = self.page.value("rasterproof.reproducerPage()")
+            self.assertLess(len(text), 60000)
+            self.assertNotIn("half-pixel", text)
+            with tempfile.TemporaryDirectory() as folder:
+                page = pathlib.Path(folder, "reproducer.html")
+                page.write_text(text, encoding="utf-8")
+                self.page.browser.open(page.as_uri(), 800)
+                self.page.wait_until('!document.getElementById("said").textContent'
+                                     '.startsWith("Drawing")')  # fmt: skip
+                # Without the plant hardly anything does: a corner that is rounded otherwise.
+                differing = int(self.page.value("document.body.dataset.differing"))
+                self.assertLess(differing, framed / 4)
+                self.assertIn(f"{differing} of 256 samples differ", self.page.text("said"))
+                self.assertEqual(self.page.value('document.querySelectorAll("td").length'), 512)
+                page.write_text(text.replace('"expected":[', '"expected":[9,'), encoding="utf-8")
+                self.page.browser.open(page.as_uri(), 800)
+                self.page.wait_until(f"document.body.dataset.differing > {differing}")
+                self.assertEqual(self.page.browser.faults(), [])
+
+    def compare(self, *certificates):
+        for which, certificate in zip(("first", "second"), certificates):
+            text = certificate if isinstance(certificate, str) else json.dumps(certificate)
+            self.page.value(f"""rasterproof.compareFile("{which}",
+                new File([{json.dumps(text)}], "{which}.json"))""")
+        return self.page.text("compare-said"), self.page.value(
+            """Array.from(document.querySelectorAll("#compare-rows tr"),
+               (row) => Array.from(row.children, (cell) => cell.textContent))""")
+
+    def test_two_certificates_are_compared(self):
+        self.start("webgpu")
+        sound = self.certificate()
+        self.start("webgpu")
+        self.assertEqual(self.compare(sound, self.certificate())[0],
+                         "Both devices answered every draw alike.")
+        self.assertTrue(self.page.value('document.getElementById("compare-table").hidden'))
+        self.start("webgpu", plant="seven-bits")
+        said, rows = self.compare(sound, self.certificate())
+        self.assertIn(["outcome", "holds", "violated", ""], rows)
+        self.assertIn(["OneModelExplainsTheMesh", "holds", "violated", "broken: stub"], rows)
+        self.assertEqual(said, f"They differ in {len(rows)} points.")
+        self.start("webgl2", cases=20)
+        rows = self.compare(sound, self.certificate())[1]
+        self.assertIn(["asked: api", '"webgpu"', '"webgl2"'], [row[:3] for row in rows])
+        for bad, what in (("{", "second.json is no JSON"), ("{}", "second.json is no certificate"),
+                          ('{"rasterproof_passport": 1}', '"asked" is missing')):
+            self.assertIn(what, self.compare(sound, bad)[0])
+
+    def test_a_failure_opens_in_the_playground(self):
+        self.start(plant="half-pixel-shift")
+        certificate = self.certificate()
+        self.page.value('document.getElementById("failure-link").click()')
+        found = self.page.value(
+            "rasterproof.playing.then(async (play) => { await play.settled();"
+            " await play.settled(); return play.settled(); })")  # fmt: skip
+        case = certificate["result"]["subjects"][0]["failures"][0]["case"]
+        self.assertEqual(found["play"]["vertices"], case["scene"]["vertices"])
+        self.assertEqual(found["play"]["triangles"], case["scene"]["triangles"])
 
     def test_what_the_self_proof_refuses_is_inconclusive(self):
         for plant in ("saturating", "lying-read-back"):

@@ -110,11 +110,47 @@ function figure(title, counts, others, {x: left, y: top, width, height, samples}
                        b.getAttribute("class").startsWith("differs"));
   const differing = counts.filter((count, k) => count !== others[k]).length;
   const picture = svg("svg", {
+    style: `max-width: ${3 * across * width}rem`,
     viewBox: `0 0 ${across * width} ${across * height}`, role: "img",
     "aria-label": `${title}: ${width} x ${height} pixels from (${left}, ${top}), ${
       differing} samples differ`,
   }, cells);
   return made("figure", [made("figcaption", title), picture]);
+}
+
+/** Of one sample a pixel: with the triangles, and a sign for each kind of difference. */
+function boardOf(title, counts, {x, y, width, height, expected}, play, pixel) {
+  const board = new parts.board.Board(title);
+  const corners = play.vertices.map((vertex) => {
+    const point = parts.geometry.windowPoint(vertex);
+    return point && [point[0] - x, point[1] - y];
+  });
+  const lines = play.triangles.flatMap(([a, b, c]) => [[a, b], [b, c], [c, a]])
+      .map((line) => line.map((k) => corners[k])).filter((line) => line.every(Boolean));
+  board.show({view: {x: 0, y: 0, width, height}, width, counts, exact: expected, lines, ties: [],
+    cursor: [pixel[0] - x, pixel[1] - y]});
+  board.title = title;
+  board.svg.setAttribute("role", "img");
+  board.svg.style.maxWidth = `${3 * (width + 2)}rem`;
+  return board.figure;
+}
+
+/** The failure's counts beside the model's. */
+function showPicture(picture, play, pixel, sample) {
+  const titles = [`Expected of the nearest model: ${MODEL_WORDS[picture.model]}`,
+    "Drawn by this device"];
+  const {expected, actual} = picture;
+  if (picture.samples === 1) {
+    byId("pictures").append(boardOf(titles[0], expected, picture, play, pixel),
+        boardOf(titles[1], actual, picture, play, pixel));
+    return "Grey: covered once, or as often as it says. −: missing. +: unexpected. Framed: the " +
+        "first sample that fails.";
+  }
+  const at = ((pixel[1] - picture.y) * picture.width + pixel[0] - picture.x) *
+      picture.samples + sample;
+  byId("pictures").append(figure(titles[0], expected, actual, picture, at),
+      figure(titles[1], actual, expected, picture, at));
+  return "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs.";
 }
 
 const MODEL_WORDS = {
@@ -126,26 +162,22 @@ const MODEL_WORDS = {
 function showFailure({message, clause, pixel, sample, expected, actual, picture, ...failure}) {
   const where = pixel ? ` First at pixel (${pixel.join(", ")}), sample ${sample ?? 0}: ` +
       `expected ${expected}; drawn: ${actual}.` : "";
-  show("failure", {"pictures": [], "edges": [], "failure-said": [`${message}.${where}`],
+  show("failure", {"pictures": [], "edges": [], "failure-said": [
+    `${message[0].toUpperCase()}${message.slice(1)}.${where}`],
     "failure-clause": [clause]});
-  byId("failure-link").href = parts.scene.linkOf(parts.scene.playOf(failure.case));
+  const play = parts.scene.playOf(failure.case);
+  byId("failure-link").href = parts.scene.linkOf(play);
   byId("reproduce").hidden = !picture;
   if (!picture) {
     byId("edges").append(made("p", "There is no picture of this case: it is too large, or in " +
         "clip space.", {class: "why"}));
     return;
   }
-  const at = pixel ? ((pixel[1] - picture.y) * picture.width + pixel[0] - picture.x) *
-      picture.samples + (sample ?? 0) : -1;
-  byId("pictures").append(
-      figure(`Expected of the nearest model: ${MODEL_WORDS[picture.model]}`, picture.expected,
-          picture.actual, picture, at),
-      figure("Drawn by this device", picture.actual, picture.expected, picture, at));
+  const key = showPicture(picture, play, pixel ?? [picture.x, picture.y], sample ?? 0);
   const isAlike = picture.actual.every((n, k) => n === picture.expected[k]);
   byId("edges").append(made("p", isAlike ?
     "Drawn once more, the case looks right here: the property compares it with other drawings." :
-    "Dark: covered once. Light: not covered. Blue: more than once. Framed: differs. The model is " +
-    "the nearest of three; the verdict is of all legal ones.",
+    `${key} The model is the nearest of three; the verdict is of all legal ones.`,
   {class: "why"}), ...picture.edges.map(({triangle, values}) => {
     return made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`));
   }));

@@ -71,10 +71,10 @@ export function reproducer(failure, {api, samples}, drawers) {
 <html lang="en"><head><meta charset="utf-8"><title>${safe(failure.property)}</title>
 <style>
 body { font: 16px system-ui, sans-serif; margin: 2rem; color-scheme: light dark; }
-table { border-collapse: collapse; display: inline-block; margin: 0 2rem 1rem 0; }
+table { border-collapse: collapse; margin: 0.3rem 0 1rem; }
 td { border: 1px solid #888; min-width: 1.5rem; height: 1.5rem; text-align: center; }
 td.differs { background: #b94a00; color: #fff; font-weight: bold; }
-figure { display: inline-block; margin: 0; } pre { white-space: pre-wrap; }
+figure { display: inline-block; margin: 0 2rem 0 0; vertical-align: top; } pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 </style></head><body>
 <h1>${safe(failure.property)}</h1>
 <p>${safe(failure.message)}</p><p>${safe(failure.clause)}</p>

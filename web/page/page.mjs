@@ -137,7 +137,7 @@ function boardOf(title, counts, {x, y, width, height, expected}, play, pixel) {
 
 /** The failure's counts beside the model's. */
 function showPicture(picture, play, pixel, sample) {
-  const titles = [`Expected of the nearest model: ${MODEL_WORDS[picture.model]}`,
+  const titles = [`Expected: ${MODEL_WORDS[picture.model]}`,
     "Drawn by this device"];
   const {expected, actual} = picture;
   if (picture.samples === 1) {

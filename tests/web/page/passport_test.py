@@ -86,7 +86,8 @@ class Passport(unittest.TestCase):
             for plant in FOUND:
                 with self.subTest(api=api, plant=plant):
                     self.start(api, plant=plant)
-                    self.assertEqual(self.certificate()["outcome"], "violated")
+                    certificate = self.certificate()
+                    self.assertEqual(certificate["outcome"], "violated")
                     self.assertEqual(self.shown(), [s for s in SECTIONS if s != "model"])
                     framed = self.differing()
                     if plant == "every-1000th-lost":  # not by the same case twice
@@ -94,6 +95,10 @@ class Passport(unittest.TestCase):
                                       self.page.text("edges"))  # fmt: skip
                     else:
                         self.assertGreaterEqual(framed, 1)
+                        (failure,) = certificate["result"]["subjects"][0]["failures"]
+                        x, y = failure["pixel"]
+                        drawn = failure["picture"]["actual"][16 * y + x]
+                        self.assertEqual(str(drawn), failure["actual"])
                     self.assertIn("violated", self.page.text("verdict"))
         self.assertIn("```json", self.page.value("rasterproof.reportText()"))
 
@@ -160,6 +165,34 @@ class Passport(unittest.TestCase):
         case = certificate["result"]["subjects"][0]["failures"][0]["case"]
         self.assertEqual(found["play"]["vertices"], case["scene"]["vertices"])
         self.assertEqual(found["play"]["triangles"], case["scene"]["triangles"])
+
+    def test_a_target_that_is_too_large_is_refused_and_the_run_goes_on(self):
+        self.page.value("Worker = undefined")
+        # Half of the stub's meshes on a target that no drawer draws.
+        found = self.page.value("""(async () => {
+          const {engine, session} = rasterproof.modules();
+          const {prototype} = engine.Engine;
+          const {next, answer} = prototype;
+          prototype.next = function() {
+            return next.call(this).map((request, k) => k % 2 ? {...request, width: 8191} : request);
+          };
+          const answers = [];
+          prototype.answer = function(given) { answers.push(...given); };
+          prototype.progress = () => ({done: 1, of: 1});
+          let rounds = 0;
+          const after = prototype.next;
+          prototype.next = function() { return ++rounds > 1 ? [] : after.call(this); };
+          let tell;
+          await new Promise((resolve) => {
+            session.serve((listener) => { tell = listener; },
+                (message) => message.type === "done" && resolve());
+            tell({type: "start", api: "webgl2", samples: 1, cases: 20, seed: 1});
+          });
+          return answers.map(({counts, refused}) => counts ? counts.length : refused);
+        })()""")
+        self.assertEqual(found[0], 2 * 16 * 16)
+        self.assertIn("8191 x 16; sides are 1 to 4096", found[1])
+        self.assertEqual(len(found), 10)
 
     def test_what_the_self_proof_refuses_is_inconclusive(self):
         for plant in ("saturating", "lying-read-back"):

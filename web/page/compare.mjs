@@ -38,7 +38,8 @@ function modelOf(certificate) {
 
 /**
  * @returns {{same: boolean, said: string, rows: {what: string, first: string, second: string,
- *     why: string}[]}}  Rows of what differs; why: the clause that is broken, or what leaves it open.
+ *     why: string}[]}}  Rows of what differs; why: the clause that is broken, or what leaves it
+ *     open.
  */
 export function compare(first, second) {
   const rows = [];

@@ -55,8 +55,8 @@
  */
 
 export const LEAST_SIDE = 256;
-/* Sides that drawers offer where the device has them, and samples: 8 bytes each are as many as every
-   device of WebGPU binds. */
+/* Sides that drawers offer where the device has them, and samples: 8 bytes each are as many as
+   every device of WebGPU binds. */
 export const MOST_SIDE = 4096;
 const MOST_SAMPLES = 2 ** 24;
 

@@ -33,8 +33,8 @@ function isDyadic(exact) {
 
 /** An exact number with what it is near, if that is shorter to read. */
 function exactCell(exact, near) {
-  const text = exact.length > LONGEST ? `${exact.slice(0, LONGEST - 16)}… (${exact.length} digits)` :
-                                        exact;
+  const cut = `${exact.slice(0, LONGEST - 16)}… (${exact.length} digits)`;
+  const text = exact.length > LONGEST ? cut : exact;
   const cell = made("td", text, {class: "number", title: exact});
   const short = Number(near.toPrecision(6));
   if (exact.includes("/")) {

@@ -273,11 +273,14 @@ class Playground {
     requestAnimationFrame(async () => {
       if (this.#isBusy) return;
       this.#isBusy = true;
-      while (this.#isDue) {
-        this.#isDue = false;
-        await this.#render();
+      try {
+        while (this.#isDue) {
+          this.#isDue = false;
+          await this.#render();
+        }
+      } finally {
+        this.#isBusy = false;
       }
-      this.#isBusy = false;
     });
   }
 
@@ -309,6 +312,9 @@ class Playground {
     });
     if (!exact) {
       this.#complain(`The engine does not take this scene: ${this.#fault}`);
+      if (this.#past.length === 0) return;
+      this.#play = this.#past.pop();
+      this.#isDue = true;
       return;
     }
     const ask = (at) => this.#ask((engine) => engine.draw(subject, this.#sceneFor(subject), at));
@@ -430,7 +436,8 @@ class Playground {
 
   #type(vertex, axis, text) {
     this.#try(() => {
-      const value = typedCoordinate(text, this.#play.precision, `Corner ${vertex}, ${"xyzw"[axis]},`);
+      const place = `Corner ${vertex}, ${"xyzw"[axis]},`;
+      const value = typedCoordinate(text, this.#play.precision, place);
       const vertices = this.#play.vertices.map((old) => [...old]);
       vertices[vertex][axis] = value;
       this.#complain("");
@@ -443,7 +450,8 @@ class Playground {
     do await new Promise(requestAnimationFrame); while (this.#isDue || this.#isBusy);
     const {exact, drawn, ties, rows} = this.#found;
     return {play: this.#play, exact: exact.counts, drawn: drawn?.counts, ties,
-      cursor: this.#cursor, rows: rows.map(({k, decided, edges}) => ({k, ...decided, drawn: edges})),
+      cursor: this.#cursor,
+      rows: rows.map(({k, decided, edges}) => ({k, ...decided, drawn: edges})),
     };
   }
 }

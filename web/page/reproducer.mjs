@@ -36,7 +36,8 @@ async function main({drawers, api, request, part, expected}) {
     const drawn = [];
     for (let y = part.y; y < part.y + part.height; ++y) {
       const from = (y * request.width + part.x) * request.samples;
-      for (let k = from; k < from + part.width * request.samples; ++k) drawn.push(front[k] + back[k]);
+      const to = from + part.width * request.samples;
+      for (let k = from; k < to; ++k) drawn.push(front[k] + back[k]);
     }
     const differing = drawn.filter((n, k) => n !== expected[k]).length;
     table("expected", expected, drawn);
@@ -74,7 +75,8 @@ body { font: 16px system-ui, sans-serif; margin: 2rem; color-scheme: light dark;
 table { border-collapse: collapse; margin: 0.3rem 0 1rem; }
 td { border: 1px solid #888; min-width: 1.5rem; height: 1.5rem; text-align: center; }
 td.differs { background: #b94a00; color: #fff; font-weight: bold; }
-figure { display: inline-block; margin: 0 2rem 0 0; vertical-align: top; } pre { white-space: pre-wrap; overflow-wrap: anywhere; }
+figure { display: inline-block; margin: 0 2rem 0 0; vertical-align: top; }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 </style></head><body>
 <h1>${safe(failure.property)}</h1>
 <p>${safe(failure.message)}</p><p>${safe(failure.clause)}</p>

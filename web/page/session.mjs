@@ -3,9 +3,9 @@
  * the worker, or in the page where a worker has no GPU, and speaks by messages.
  *
  * In: {type: "start", api, samples, cases, seed, [reach], [saved], [plant]}, "pause", "go",
- * "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress" {done, of,
- * draws, milliseconds} and "saved" {bytes} in turn, and at last "stopped" {bytes} or "done"
- * {outcome, reason, result, losses, pauses, draws, milliseconds, bytes}.
+ * "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
+ * {done, of, draws, milliseconds} and "saved" {bytes} in turn, and at last "stopped" {bytes} or
+ * "done" {outcome, reason, result, losses, pauses, draws, milliseconds, bytes}.
  */
 import {LostError, refusalOf} from "./drawer.mjs";
 import {open as openWebGl2} from "./webgl2.mjs";

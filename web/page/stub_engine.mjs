@@ -266,6 +266,7 @@ export class Engine {
       edges: [edge32(b, c, at), edge32(c, a, at), edge32(a, b, at)].map(({value}) => value),
       barycentrics: null,
     }));
-    return {width, height, profile: {subpixel_bits: bits ?? null}, counts, ...(shown && {triangles: shown})};
+    const profile = {subpixel_bits: bits ?? null};
+    return {width, height, profile, counts, ...(shown && {triangles: shown})};
   }
 }

@@ -1,6 +1,5 @@
 #include "reference/value_figures.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace rasterproof::reference {
@@ -37,9 +36,10 @@ constexpr auto kFigures = std::to_array<Figure>({
 }  // namespace
 
 std::array<double, 2> LargestRatiosOf(std::string_view method) {
-  const auto* const found = std::ranges::find(kFigures, method, &Figure::method);
-  if (found == kFigures.end()) return {kUnknown, kUnknown};
-  return found->largest;
+  for (const Figure& figure : kFigures) {
+    if (figure.method == method) return figure.largest;
+  }
+  return {kUnknown, kUnknown};
 }
 
 }  // namespace rasterproof::reference

@@ -33,9 +33,9 @@ const RivalTable* TableOf(Target target) {
 
 kernels::KernelFunction FunctionOf(const Rival& rival, Target target, Sink sink) {
   const RivalTable* const table = TableOf(target);
-  const auto* const found = std::ranges::find(kRivals, rival);
-  if (table == nullptr || found == kRivals.end()) return nullptr;
-  return table->draw[found - kRivals.begin()][static_cast<std::size_t>(sink)];
+  const auto row = static_cast<std::size_t>(std::ranges::find(kRivals, rival) - kRivals.begin());
+  if (table == nullptr || row == kRivals.size()) return nullptr;
+  return table->draw[row][static_cast<std::size_t>(sink)];
 }
 
 // Of the rivals that were kernels before there was a frame, which subjects are called by.

@@ -25,34 +25,19 @@
 #include "fmt/format.h"
 #include "io/scene_file.h"
 #include "props/placed_case.h"
+#include "props/run/failure_view.h"
 #include "report/explanation_numbers.h"
 #include "tool/session.h"
 
 namespace rasterproof::tool {
+
+using props::EdgeAt;
+using props::HasPlace;
+
 namespace {
 
 constexpr int kViewSide = 16;              // pixels shown around the failing place
-constexpr std::size_t kMostTriangles = 8;  // whose edge values are listed
 constexpr std::size_t kMostPrinted = 512;  // vertices or triangles of a scene in one line
-
-// The first pixel at which the counts differ; (-1, -1) if none does.
-std::array<int, 2> FirstWrongPixel(const CoverageCounts& observed, const CoverageCounts& expected) {
-  const CoverageDifference difference = Compare(observed, expected);
-  if (difference.wrong == 0) return {-1, -1};
-  const std::size_t pixel = difference.first_wrong / static_cast<std::size_t>(observed.samples);
-  const auto width = static_cast<std::size_t>(observed.width);
-  return {static_cast<int>(pixel % width), static_cast<int>(pixel / width)};
-}
-
-PixelRect ViewAround(const Scene& scene, int x, int y) {
-  const auto span = [](int centre, int side) {
-    const int first = std::clamp(centre - kViewSide / 2, 0, std::max(0, side - kViewSide));
-    return std::array<int, 2>{first, std::min(side, first + kViewSide)};
-  };
-  const auto [x0, x1] = span(std::max(x, 0), scene.width);
-  const auto [y0, y1] = span(std::max(y, 0), scene.height);
-  return {x0, y0, x1, y1};
-}
 
 // A number whose decimals are few and exact; "" of any other.
 std::string ShortDecimal(double value) {
@@ -104,10 +89,6 @@ std::string OptionsText(const DrawOptions& options) {
   return text;
 }
 
-bool SameShape(const CoverageCounts& a, const CoverageCounts& b) {
-  return a.width == b.width && a.height == b.height && a.samples == b.samples;
-}
-
 // Where snapping moves a triangle's corners to; empty where it moves none.
 std::string SnappedLine(const Scene& given, const Scene& snapped, int triangle) {
   const Triangle& corners = given.triangles[static_cast<std::size_t>(triangle)];
@@ -117,71 +98,6 @@ std::string SnappedLine(const Scene& given, const Scene& snapped, int triangle) 
   std::string line = fmt::format("triangle {} snaps to", triangle);
   for (const Vertex& v : to) line += fmt::format(" ({}, {})", v.x, v.y);
   return line;
-}
-
-exact::Rational EdgeAt(const Scene& scene, const Vertex& a, const Vertex& b, Point2 p) {
-  return scene.clip_space ? exact::HomogeneousEdgeValue(a, b, p)
-                          : exact::EdgeValue(WindowPoint(a), WindowPoint(b), p);
-}
-
-// How much a triangle has to do with a sample. Less is more.
-struct Concern {
-  bool is_beside = false;  // the sample lies neither inside nor on an edge
-  double least = 0;        // of |E| over its edges
-  int triangle = 0;
-
-  friend auto operator<=>(const Concern&, const Concern&) = default;
-};
-
-Concern ConcernOf(const Scene& scene, int triangle, Point2 p) {
-  const std::array<Vertex, 3> v =
-      Corners(scene, scene.triangles[static_cast<std::size_t>(triangle)]);
-  Concern concern{true, std::numeric_limits<double>::infinity(), triangle};
-  if (!std::ranges::all_of(v, [](const Vertex& corner) { return IsFinite(corner); })) {
-    return concern;
-  }
-  bool has_positive = false;
-  bool has_negative = false;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double e = EdgeAt(scene, v[(k + 1) % 3], v[(k + 2) % 3], p).ToDouble();
-    has_positive = has_positive || e > 0;
-    has_negative = has_negative || e < 0;
-    concern.least = std::min(concern.least, std::abs(e));
-  }
-  concern.is_beside = has_positive && has_negative;
-  return concern;
-}
-
-// Triangles whose box meets the view: the witness, then those that hold the sample, in them or on
-// an edge, then those whose edges pass nearest, until there are enough.
-std::vector<int> TrianglesInView(const Scene& scene, const PixelRect& view, int first,
-                                 std::optional<Point2> sample) {
-  std::vector<Concern> others;
-  for (std::size_t t = 0; t < scene.triangles.size(); ++t) {
-    const std::array<Vertex, 3> v = Corners(scene, scene.triangles[t]);
-    const auto x = std::minmax({v[0].x, v[1].x, v[2].x});
-    const auto y = std::minmax({v[0].y, v[1].y, v[2].y});
-    const bool apart = !scene.clip_space && (x.second < view.x0 || x.first > view.x1 ||
-                                             y.second < view.y0 || y.first > view.y1);
-    const int triangle = static_cast<int>(t);
-    if (apart || triangle == first) continue;
-    others.push_back(sample ? ConcernOf(scene, triangle, *sample) : Concern{false, 0, triangle});
-  }
-  std::ranges::sort(others);
-  std::vector<int> found;
-  const bool is_there = first >= 0 && static_cast<std::size_t>(first) < scene.triangles.size();
-  if (is_there) found.push_back(first);
-  for (const Concern& other : others) {
-    if (found.size() == kMostTriangles) break;
-    found.push_back(other.triangle);
-  }
-  return found;
-}
-
-Point2 SampleAt(const props::PlacedCase& c, int x, int y, int number) {
-  const SamplePattern& pattern = c.profile.pattern;
-  const int row = c.profile.y_axis == YAxis::kUp ? c.scene.height - 1 - y : y;
-  return pattern.At(x, row, std::clamp(number, 0, pattern.samples() - 1));
 }
 
 std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
@@ -207,41 +123,14 @@ std::string EdgeLine(const Scene& scene, int triangle, int edge, Point2 p) {
 
 }  // namespace
 
-Case AsDrawn(const Case& c, const Verdict& verdict) {
-  Case drawn = c;
-  if (verdict.drawn == nullptr) return drawn;
-  drawn.scene = verdict.drawn->scene;
-  drawn.options = verdict.drawn->options;
-  return drawn;
-}
-
-namespace {
-
-CoverageCounts BlankTarget(const props::PlacedCase& c) {
-  return {c.scene.width, c.scene.height, c.profile.pattern.samples()};
-}
-
-bool HoldsDrawing(const Verdict& verdict, const CoverageCounts& target) {
-  return (verdict.compared && SameShape(verdict.compared->expected, target)) ||
-         (verdict.seen && SameShape(verdict.seen->counts, target));
-}
-
-// A breakdown has no place.
-bool HasPlace(const Verdict& verdict) {
-  return verdict.compared != nullptr ||
-         (verdict.witness && (verdict.witness->x >= 0 || verdict.witness->triangle >= 0));
-}
-
-}  // namespace
-
 bool HoldsWhatWasSeen(const Verdict& verdict, const Case& c) {
-  return HoldsDrawing(verdict, BlankTarget(props::PlacedCase(AsDrawn(c, verdict))));
+  return props::HoldsDrawing(verdict, props::BlankTarget(props::PlacedCase(AsDrawn(c, verdict))));
 }
 
 void See(Subject& subject, const Case& given, Verdict& verdict) {
   const props::PlacedCase c(AsDrawn(given, verdict));
-  const CoverageCounts none = BlankTarget(c);
-  if (HoldsDrawing(verdict, none)) return;
+  const CoverageCounts none = props::BlankTarget(c);
+  if (props::HoldsDrawing(verdict, none)) return;
   std::string failure;  // the verdict reports it; the picture then shows that nothing was drawn
   auto seen = std::make_shared<Drawing>();
   seen->counts = DrawUnlessItFails(subject, c.scene, c.options, failure).value_or(none);
@@ -263,39 +152,23 @@ report::Explanation Explain(const SubjectInfo& subject, const Case& given, const
                             const std::string& replay) {
   const props::PlacedCase c(AsDrawn(given, verdict));
   report::Explanation explanation;
-  explanation.scene = IsHomogeneous(c.scene, c.profile) ? c.scene : c.placed;
-  // A triangle that is dropped for its extent is shown where it lies.
-  explanation.scene.triangles = c.scene.triangles;
+  const props::FailureView view = props::ViewOf(subject, c, verdict, kViewSide);
+  explanation.scene = view.scene;
   explanation.pattern = c.profile.pattern;
   explanation.y_axis = c.profile.y_axis;
-  const CoverageCounts none = BlankTarget(c);
-  if (verdict.compared && SameShape(verdict.compared->expected, none)) {
-    explanation.expected = verdict.compared->expected;
-    explanation.observed = verdict.compared->observed;
-  } else {
-    explanation.expected = ShownBy(subject, c.scene, exact::Coverage(c, c.options));
-    explanation.observed = HoldsDrawing(verdict, none) ? verdict.seen->counts : none;
-    // Where nothing is stated of coverage, what was drawn is as good as anything.
-    if (c.profile.contract == Contract::kNone) explanation.expected = explanation.observed;
-  }
-  const auto [wrong_x, wrong_y] = FirstWrongPixel(explanation.observed, explanation.expected);
-  const bool witness = verdict.witness && verdict.witness->x >= 0 && verdict.witness->y >= 0;
-  explanation.focus_x = witness ? verdict.witness->x : wrong_x;
-  explanation.focus_y = witness ? verdict.witness->y : wrong_y;
-  explanation.view = ViewAround(c.scene, explanation.focus_x, explanation.focus_y);
-  std::optional<Point2> sample;
-  if (explanation.focus_x >= 0) {
-    const int number = verdict.witness ? verdict.witness->sample : 0;
-    sample = SampleAt(c, explanation.focus_x, explanation.focus_y, number);
-  }
-  explanation.triangles = TrianglesInView(explanation.scene, explanation.view,
-                                          verdict.witness ? verdict.witness->triangle : -1, sample);
-  if (sample) {
+  explanation.expected = view.expected;
+  explanation.observed = view.observed;
+  explanation.focus_x = view.focus_x;
+  explanation.focus_y = view.focus_y;
+  explanation.view = view.view;
+  explanation.triangles = view.triangles;
+  if (view.sample) {
     for (const int triangle : explanation.triangles) {
       const std::string snapped = SnappedLine(c.scene, explanation.scene, triangle);
       if (!snapped.empty()) explanation.edge_values.push_back(snapped);
       for (int edge = 0; edge < 3; ++edge) {
-        explanation.edge_values.push_back(EdgeLine(explanation.scene, triangle, edge, *sample));
+        explanation.edge_values.push_back(
+            EdgeLine(explanation.scene, triangle, edge, *view.sample));
       }
     }
   }

@@ -10,16 +10,14 @@
 #include "core/subject_info.h"
 #include "core/verdict.h"
 #include "io/check_json.h"
+#include "props/run/failure_view.h"
 #include "report/picture.h"
 
 namespace rasterproof::tool {
 
 using io::InOneLine;
 using io::WithCountsAsGiven;
-
-/// The case with the scene and the options that were drawn, if the verdict is of others than its
-/// own.
-Case AsDrawn(const Case& c, const Verdict& verdict);
+using props::AsDrawn;
 
 /// Whether the verdict holds what the subject drew of the failing scene.
 bool HoldsWhatWasSeen(const Verdict& verdict, const Case& c);

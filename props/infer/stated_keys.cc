@@ -1,6 +1,8 @@
 #include "props/infer/stated_keys.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <functional>
 #include <iterator>
 #include <string>
@@ -88,6 +90,24 @@ std::string ModelText(const Profile& profile) {
   return grid + "; " + TieRuleName(profile.tie_rule) + "; samples " + PatternText(profile.pattern) +
          "; y " + AxisText(profile) +
          (profile.culls == Cull::kNone ? "" : "; always culls " + CullsText(profile));
+}
+
+std::string InferredText(const Inference& inference) {
+  if (inference.Fits()) {
+    return ModelText(inference.remaining.front()) +
+           (inference.remaining.size() == 1 ? "" : ", or others that draw the same");
+  }
+  if (!inference.nearest) return "no model was found";
+  const NearestModel& nearest = *inference.nearest;
+  std::string share = "no sample of random draws, only in an aimed one";
+  if (nearest.wrong_samples != 0) {
+    std::array<char, 32> percent{};
+    std::snprintf(
+        percent.data(), percent.size(), "%.2g",
+        100.0 * static_cast<double>(nearest.wrong_samples) / static_cast<double>(nearest.samples));
+    share = std::string(percent.data()) + " % of samples";
+  }
+  return ModelText(nearest.profile) + "; differs in " + share + ": no model fits";
 }
 
 std::vector<StatementVerdict> VerifyStatements(const Profile& given, FacingReport facing,

@@ -23,6 +23,9 @@ std::string SnapText(const Snap& snap);
 std::string PatternText(const SamplePattern& pattern);
 /// "8 subpixel bits, nearest-even of x; top-left; samples [128/256, 128/256]; y down".
 std::string ModelText(const Profile& profile);
+/// The model that is nearest, whether it fits or not: "8 subpixel bits, ...; differs in 0.01 % of
+/// samples: no model fits".
+std::string InferredText(const Inference& inference);
 
 }  // namespace rasterproof::props
 

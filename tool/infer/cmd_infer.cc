@@ -85,24 +85,6 @@ std::string NoFitText(const props::Inference& inference) {
          LastRefutedText(inference);
 }
 
-// "0.01 % of samples".
-std::string ShareText(const props::NearestModel& nearest) {
-  if (nearest.wrong_samples == 0) return "no sample of random draws, only in an aimed one";
-  return fmt::format("{:.2g} % of samples", 100.0 * static_cast<double>(nearest.wrong_samples) /
-                                                static_cast<double>(nearest.samples));
-}
-
-// The model that is nearest, whether it fits or not.
-std::string FirstLine(const props::Inference& inference, const std::string& subject) {
-  if (inference.Fits()) {
-    return fmt::format("{}: {}{}\n", subject, props::ModelText(inference.remaining.front()),
-                       inference.remaining.size() == 1 ? "" : ", or others that draw the same");
-  }
-  if (!inference.nearest) return fmt::format("{}: no model was found\n", subject);
-  return fmt::format("{}: {}; differs in {}: no model fits\n", subject,
-                     props::ModelText(inference.nearest->profile), ShareText(*inference.nearest));
-}
-
 std::string PlacesText(const props::Inference& inference) {
   std::string text;
   if (!inference.sample_places) return text;
@@ -195,7 +177,7 @@ int RunInfer(const InferOptions& options) {
 
 int TellInference(const props::Inference& inference, const SubjectInfo& info,
                   const std::string& json) {
-  std::string text = FirstLine(inference, info.name);
+  std::string text = info.name + ": " + props::InferredText(inference) + "\n";
   text += fmt::format("{} models, {} draws, {:.2f} s\n", inference.models, inference.experiments,
                       inference.seconds);
   text += inference.Fits() ? FittingText(inference) : NoFitText(inference);

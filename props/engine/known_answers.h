@@ -24,6 +24,9 @@ namespace rasterproof::props {
 struct RoundSize {
   std::size_t requests = 4000;
   std::size_t samples = std::size_t{1} << 25;
+  /// Requests of one shrinking: its guesses at what comes after what is not answered yet. Many make
+  /// few rounds, few make little work.
+  std::size_t of_a_shrinking = 1000;
 };
 
 /// Draws by a memory of answers. A job that has none is wanted: it counts as missed, and its
@@ -54,6 +57,7 @@ class KnownAnswers final : public Subject {
   void Want(const DrawJob& job);
   bool HasRoom() const { return wanted_.size() < size_.requests && samples_ < size_.samples; }
   std::size_t wanted() const { return wanted_.size(); }
+  const RoundSize& size() const { return size_; }
   /// Returns the requests of the next round, and begins another round.
   std::vector<DrawJob> TakeWanted();
   /// Returns how many draws had no answer so far.

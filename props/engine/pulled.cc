@@ -22,7 +22,6 @@ namespace {
 
 constexpr int kConfirmed = 2;  // answers that a smallest case rests on
 constexpr int kOnceMore = 1 << 20;
-constexpr std::size_t kMostOfAShrinking = 1000;  // requests a round: the others get theirs
 
 // No time passes: how long answers take says nothing about the subject.
 CampaignOptions WithoutClock(CampaignOptions options) {
@@ -75,7 +74,7 @@ bool PulledShrinking::GoOn(KnownAnswers& answers) {
     const auto fails = [&](const Case& candidate) { return Fails(answers, candidate); };
     const auto want = [&](const Case& candidate) {
       AskAll(answers, property_, candidate);
-      return answers.HasRoom() && answers.wanted() < wanted + kMostOfAShrinking;
+      return answers.HasRoom() && answers.wanted() < wanted + answers.size().of_a_shrinking;
     };
     smallest = Foresee(failing_, {fails, want}, budget_);
   }

@@ -84,8 +84,9 @@ class PulledCheck final : public PulledWork {
   bool GoOn(KnownAnswers& answers) override;
   /// Cases that are judged.
   PulledProgress progress() const override;
+  bool has_result() const { return result_.has_value(); }
   /// kNotApplicable for properties about sequences of calls, because answers have no order. Domain:
-  /// GoOn() was true.
+  /// has_result().
   const PropertyResult& result() const { return *result_; }
 
  private:

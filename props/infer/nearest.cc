@@ -14,8 +14,13 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::size_t kFirstPart = 64;  // experiments after which half of the models are dropped
-constexpr std::size_t kFewest = 256;    // models that see all experiments
+// How models are dropped in ranking them.
+struct Thrift {
+  std::size_t first_part;  // experiments after which half of the models are dropped
+  std::size_t fewest;      // models that see all experiments
+};
+constexpr Thrift kToBeSure{64, 256};
+constexpr Thrift kToGuess{16, 16};
 constexpr std::size_t kInACall = 16;
 // No case of the race, which counts its own from 0.
 constexpr std::uint64_t kFirstCase = std::uint64_t{1} << 32;
@@ -54,9 +59,10 @@ void Rank(std::vector<Entry>& entries) {
 // The models that are wrong about the fewest samples, the best first. Half of them are dropped
 // after each part of the experiments.
 std::vector<Entry> Ranked(const Observer& observer, const ModelSpace& space,
-                          std::vector<Entry> race, std::span<const Experiment> experiments) {
+                          std::vector<Entry> race, std::span<const Experiment> experiments,
+                          const Thrift& thrift) {
   std::size_t next = 0;
-  for (std::size_t part = kFirstPart; next < experiments.size(); part *= 2) {
+  for (std::size_t part = thrift.first_part; next < experiments.size(); part *= 2) {
     for (; next < std::min(part, experiments.size()); ++next) {
       const Experiment& experiment = experiments[next];
       Prediction prediction(experiment.scene, space, observer.facing());
@@ -67,7 +73,7 @@ std::vector<Entry> Ranked(const Observer& observer, const ModelSpace& space,
       }
     }
     Rank(race);
-    race.resize(std::max(race.size() / 2, std::min(race.size(), kFewest)));
+    race.resize(std::max(race.size() / 2, std::min(race.size(), thrift.fewest)));
   }
   return race;
 }
@@ -77,7 +83,7 @@ std::vector<Entry> Ranked(const Observer& observer, const ModelSpace& space,
 NearestModel Nearest(const Observer& observer, const ModelSpace& space,
                      std::span<const Experiment> experiments, Model* nearest) {
   NearestModel found;
-  const std::vector<Entry> race = Ranked(observer, space, EntriesOf(space), experiments);
+  const std::vector<Entry> race = Ranked(observer, space, EntriesOf(space), experiments, kToBeSure);
   for (const Experiment& experiment : experiments) found.samples += experiment.seen.size();
   *nearest = race.front().model;
   found.profile = space.ProfileOf(*nearest);
@@ -92,7 +98,7 @@ std::vector<Model> NearestModels(const Observer& observer, const ModelSpace& spa
   std::vector<Entry> all;
   for (const Model& model : space.models()) all.push_back({model});
   std::vector<Model> nearest;
-  for (const Entry& entry : Ranked(observer, space, std::move(all), experiments)) {
+  for (const Entry& entry : Ranked(observer, space, std::move(all), experiments, kToGuess)) {
     if (nearest.size() < most) nearest.push_back(entry.model);
   }
   return nearest;

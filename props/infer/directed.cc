@@ -39,9 +39,11 @@ double NearTie(BitSource& bits, int b) {
   switch (bits.Int(0, 3)) {
     case 0:
       return x;
-    case 1:
-      x += std::ldexp(bits.Chance(128) ? 1.0 : -1.0, -b - static_cast<int>(bits.Int(2, 10)));
+    case 1: {
+      const int below = static_cast<int>(bits.Int(2, 10));
+      x += std::ldexp(bits.Chance(128) ? 1.0 : -1.0, -b - below);
       break;
+    }
     default: {
       const std::int64_t ulps = bits.Int(1, 3);
       const bool up = bits.Chance(128);

@@ -1,6 +1,7 @@
 #include "io/check_json.h"
 
 #include <cstdint>
+#include <functional>
 #include <utility>
 #include <variant>
 
@@ -52,7 +53,7 @@ std::string InOneLine(const std::string& json) {
 }
 
 void WriteFailure(JsonWriter& json, const std::string& subject, const SubjectInfo& info,
-                  const CheckedProperty& checked) {
+                  const CheckedProperty& checked, const std::function<void()>& more) {
   const PropertyResult& result = checked.result;
   const Counterexample& failure = *result.counterexample;
   const Witness witness = WithCountsAsGiven(failure.verdict, info).witness.value_or(Witness());
@@ -76,7 +77,9 @@ void WriteFailure(JsonWriter& json, const std::string& subject, const SubjectInf
   json.Key("drawn_as").Text(failure.failing_case);
   const CaseFile file{failure.value, subject, result.property, failure.verdict.drawn};
   json.Key("case").Value(InOneLine(CaseToJson(file)));
-  json.Key("next").Text(checked.next).EndObject();
+  json.Key("next").Text(checked.next);
+  if (more) more();
+  json.EndObject();
 }
 
 void WriteProperty(JsonWriter& json, const CheckedProperty& checked) {

@@ -3,6 +3,7 @@
 #ifndef RASTERPROOF_IO_CHECK_JSON_H_
 #define RASTERPROOF_IO_CHECK_JSON_H_
 
+#include <functional>
 #include <string>
 
 #include "core/result.h"
@@ -24,11 +25,11 @@ struct CheckedProperty {
   std::string next = {};   ///< what runs the failing case again
 };
 
-/// Writes an item of `failures`.
+/// Writes an item of `failures`, with the members that `more` adds to it.
 ///
 /// Domain:     a result with a counterexample.
 void WriteFailure(JsonWriter& json, const std::string& subject, const SubjectInfo& info,
-                  const CheckedProperty& checked);
+                  const CheckedProperty& checked, const std::function<void()>& more = {});
 /// Writes an item of `properties`.
 void WriteProperty(JsonWriter& json, const CheckedProperty& checked);
 

@@ -78,10 +78,15 @@ const props::Property& PropertyOf(const JsonValue& name) {
 }  // namespace
 
 Opened OpenedFrom(std::string_view json) {
-  constexpr std::array<std::string_view, 6> kKeys{"subject", "profile", "properties",
-                                                  "seed",    "cases",   "shrink"};
   const io::JsonDocument document(json, "check");
-  const JsonValue root = document.root();
+  Opened opened = OpenedFrom(document.root());
+  opened.json = json;
+  return opened;
+}
+
+Opened OpenedFrom(const JsonValue& root) {
+  constexpr std::array<std::string_view, 7> kKeys{"subject", "profile", "properties", "seed",
+                                                  "cases",   "shrink",  "infer"};
   root.RequireObject(kKeys);
   Opened opened;
   opened.info = PlainInfo();
@@ -94,6 +99,7 @@ Opened OpenedFrom(std::string_view json) {
   io::ReadIfThere(root, "seed", opened.campaign.seed, integer);
   io::ReadIfThere(root, "cases", opened.campaign.cases, integer);
   io::ReadIfThere(root, "shrink", opened.campaign.shrink_budget, integer);
+  io::ReadIfThere(root, "infer", opened.infers, io::Boolean);
   const auto properties = root.Find("properties");
   opened.is_whole_catalogue = !properties;
   if (!properties) {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "core/authority.h"
+#include "core/clauses/clauses.h"
 #include "io/case_file.h"
 #include "io/check_json.h"
 #include "io/json_writer.h"
@@ -21,7 +23,8 @@ namespace rasterproof::web {
 namespace {
 
 // A round small enough that a page stays awake, and its answers fit into memory.
-constexpr props::RoundSize kRound{.requests = 2000, .samples = std::size_t{1} << 22};
+constexpr props::RoundSize kRound{
+    .requests = 2000, .samples = std::size_t{1} << 22, .of_a_shrinking = 32};
 
 std::uint64_t CountOf(std::span<const PropertyResult> results, Outcome outcome) {
   return static_cast<std::uint64_t>(
@@ -30,21 +33,55 @@ std::uint64_t CountOf(std::span<const PropertyResult> results, Outcome outcome) 
       }));
 }
 
+// Whoever has the program at hand asks it by files.
+std::string ReplayOf(const SubjectInfo& info, const PropertyResult& result) {
+  const Counterexample& failure = *result.counterexample;
+  const io::CaseFile file{failure.value, info.name, result.property, failure.verdict.drawn};
+  return "rasterproof replay '" + io::InOneLine(io::CaseToJson(file)) + "' --subject rounds:FOLDER";
+}
+
+void WriteClauses(io::JsonWriter& json, const PropertyResult& result) {
+  json.Key("clauses").BeginArray();
+  for (const std::string& id : result.required_by) {
+    const Clause* const clause = FindClause(id);
+    if (clause == nullptr) continue;
+    json.BeginObjectLine().Key("id").Text(id).Key("place").Text(clause->place);
+    json.Key("sentence").Text(clause->sentence).Key("reading").Text(clause->reading).EndObject();
+  }
+  json.EndArray();
+}
+
 }  // namespace
 
 Session::Session(Opened opened) : opened_(std::move(opened)), engine_(opened_.info, kRound) {
   for (const props::Property* property : opened_.properties) {
-    const bool has_widths = props::IsPutToWidthInputs(property->name, opened_.info);
-    runs_.push_back(
-        {Add(*property, nullptr), has_widths ? Add(*property, &props::WidthInputs()) : nullptr});
+    runs_.push_back({Add(*property, nullptr), std::nullopt});
+    if (props::IsPutToWidthInputs(property->name, opened_.info))
+      runs_.back().widths = Add(*property, &props::WidthInputs());
   }
+  for (Run& run : runs_) {
+    run.cases.sight = &engine_.Add(std::make_unique<PulledSight>(*run.cases.check));
+    if (!run.widths) continue;
+    run.widths->sight = &engine_.Add(std::make_unique<PulledSight>(*run.widths->check));
+  }
+  if (!opened_.infers) return;
+  props::InferOptions options;
+  options.seed = opened_.campaign.seed;
+  infer_ = &engine_.Add(std::make_unique<props::PulledInfer>(options));
 }
 
-const props::PulledCheck* Session::Add(const props::Property& property, const props::World* world) {
+Session::Checked Session::Add(const props::Property& property, const props::World* world) {
   props::CampaignOptions campaign = opened_.campaign;
   campaign.world = world;
   if (world != nullptr) campaign.cases = world->cases;
-  return &engine_.Add(std::make_unique<props::PulledCheck>(property, std::move(campaign)));
+  return {&engine_.Add(std::make_unique<props::PulledCheck>(property, std::move(campaign)))};
+}
+
+PropertyResult Session::Checked::Result() const {
+  PropertyResult result = check->result();
+  if (result.counterexample && sight->seen() != nullptr)
+    result.counterexample->verdict.seen = sight->seen();
+  return result;
 }
 
 std::string Session::Next() { return PackedJobs(engine_.Next()); }
@@ -53,23 +90,33 @@ bool Session::Answer(std::string_view bytes) {
   return engine_.Answer(OutcomesFrom(bytes, engine_.Next(), engine_.answers().Info()));
 }
 
+// Of cases: nobody knows how many draws a model takes.
 std::string Session::Progress() const {
-  const props::PulledProgress progress = engine_.progress();
+  props::PulledProgress sum;
+  const auto add = [&](const Checked& checked) {
+    const props::PulledProgress one = checked.check->progress();
+    sum.done += one.done;
+    sum.of += one.of;
+  };
+  for (const Run& run : runs_) {
+    add(run.cases);
+    if (run.widths) add(*run.widths);
+  }
   io::JsonWriter json;
-  json.BeginObjectLine().Key("done").Integer(progress.done).Key("of").Integer(progress.of);
+  json.BeginObjectLine().Key("done").Integer(sum.done).Key("of").Integer(sum.of);
   return json.EndObject().Finish();
 }
 
 std::vector<PropertyResult> Session::Results() const {
   std::vector<PropertyResult> results;
   for (const Run& run : runs_) {
-    results.push_back(run.cases->result());
+    results.push_back(run.cases.Result());
     const Outcome outcome = results.back().outcome;
-    if (outcome == Outcome::kViolated || run.widths == nullptr) continue;
-    const PropertyResult& widths = run.widths->result();
+    if (outcome == Outcome::kViolated || !run.widths) continue;
+    PropertyResult widths = run.widths->Result();
     if (widths.outcome == Outcome::kViolated ||
         (widths.outcome == Outcome::kInconclusive && outcome == Outcome::kHolds))
-      results.back() = widths;
+      results.back() = std::move(widths);
   }
   return results;
 }
@@ -98,11 +145,13 @@ std::string Session::Result() const {
     const auto& failure = result.counterexample;
     checked.push_back({result, result.message, failure ? failure->verdict.message : "", "",
                        IsFailure(result, FailOn::kStated)});
+    if (failure) checked.back().next = ReplayOf(opened_.info, result);
   }
   const int status = StatusOf(results);
   io::JsonWriter json;
   json.BeginObject().Key("rasterproof_check").Integer(1);
   json.Key("version").Text(RASTERPROOF_VERSION).Key("status").Integer(status);
+  if (!opened_.json.empty()) json.Key("opened").Value(opened_.json);
   json.Key("subjects").BeginArray().BeginObject().Key("subject").Text(opened_.info.name);
   json.Key("profile").Text(io::ProfileName(opened_.info.profile));
   json.Key("status").Integer(status).Key("not_asked").Integer(0);
@@ -115,11 +164,17 @@ std::string Session::Result() const {
   }
   json.EndArray().Key("failures").BeginArray();
   for (const io::CheckedProperty& one : checked) {
-    if (one.result.counterexample) WriteFailure(json, opened_.info.name, opened_.info, one);
+    if (!one.result.counterexample) continue;
+    WriteFailure(json, opened_.info.name, opened_.info, one, [&] {
+      WriteClauses(json, one.result);
+      WritePicture(json, opened_.info, *one.result.counterexample);
+    });
   }
   json.EndArray().Key("causes").BeginArray().EndArray().Key("properties").BeginArray();
   for (const io::CheckedProperty& one : checked) WriteProperty(json, one);
-  return json.EndArray().EndObject().EndArray().EndObject().Finish();
+  json.EndArray();
+  if (infer_ != nullptr) WriteModel(json, infer_->result());
+  return json.EndObject().EndArray().EndObject().Finish();
 }
 
 }  // namespace rasterproof::web

@@ -2,14 +2,18 @@
 #ifndef RASTERPROOF_WEB_ENGINE_SESSION_H_
 #define RASTERPROOF_WEB_ENGINE_SESSION_H_
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/result.h"
+#include "core/subject_info.h"
 #include "props/domains/worlds.h"
 #include "props/engine/pulled.h"
+#include "props/engine/pulled_infer.h"
 #include "web/engine/open.h"
+#include "web/engine/told.h"
 
 namespace rasterproof::web {
 
@@ -19,6 +23,7 @@ class Session {
 
   /// Returns PackedJobs() of the next round; of none, if every property has its result.
   std::string Next();
+  bool IsDone() { return engine_.Next().empty(); }
   /// Takes answers to the first of these draws.
   ///
   /// Returns:    false if a draw had another answer before: no result counts.
@@ -28,24 +33,36 @@ class Session {
   std::string Progress() const;
   std::string Save() const { return engine_.save(); }
   void Load(std::string_view saved) { engine_.load(saved); }
-  /// Returns what `check --json` writes, without causes.
+  /// Returns what `check --json` writes, without causes, and beyond that `opened`, the model, and
+  /// of each failure its clauses and its picture.
   ///
-  /// Domain:     Next() gave no draws.
+  /// Domain:     IsDone().
   std::string Result() const;
+  /// Returns the results of the properties, with what was seen of the failures.
+  ///
+  /// Domain:     as of Result().
+  std::vector<PropertyResult> Results() const;
+  const SubjectInfo& info() const { return opened_.info; }
 
  private:
+  struct Checked {
+    const props::PulledCheck* check = nullptr;
+    const PulledSight* sight = nullptr;
+
+    PropertyResult Result() const;
+  };
   struct Run {
-    const props::PulledCheck* cases = nullptr;
-    const props::PulledCheck* widths = nullptr;  ///< nullptr: it is not put to these inputs
+    Checked cases;
+    std::optional<Checked> widths;  ///< nothing: it is not put to these inputs
   };
 
-  const props::PulledCheck* Add(const props::Property& property, const props::World* world);
-  std::vector<PropertyResult> Results() const;
+  Checked Add(const props::Property& property, const props::World* world);
   int StatusOf(const std::vector<PropertyResult>& results) const;
 
   Opened opened_;
   props::PulledEngine engine_;
   std::vector<Run> runs_;
+  const props::PulledInfer* infer_ = nullptr;  ///< nullptr: no model was asked for
 };
 
 }  // namespace rasterproof::web

@@ -40,7 +40,29 @@ export interface CheckOptions {
   seed?: number;
   /** The most evaluations that shrinking takes. */
   shrink?: number;
+  /** Finds the model by experiment, too: some thousands of draws. */
+  infer?: boolean;
   onProgress?: (progress: { done: number; of: number }) => void;
+}
+/** Counts of each sample, [height][width][sample], of the failing scene around the failing pixel. */
+export interface Picture {
+  /** Its first column and row. */
+  x: number;
+  y: number;
+  width: number;
+  height: number;
+  samples: number;
+  expected: number[];
+  actual: number[];
+  /** The exact E opposite each vertex at the failing sample; none of a triangle that is not finite. */
+  edges: { triangle: number; values: string[] }[];
+}
+/** All models that explain every draw. */
+export interface Model {
+  subpixelBits: (number | "none")[];
+  snap: string[];
+  ties: string;
+  samples: string;
 }
 export interface Failure {
   property: string;
@@ -58,6 +80,11 @@ export interface Failure {
   drawn_as: string;
   /** A case file: `rasterproof replay` runs it. */
   case: unknown;
+  /** The command that does so. */
+  next: string;
+  /** The sentences of the specification that require the property. */
+  clauses: { id: string; place: string; sentence: string; reading: string }[];
+  picture?: Picture;
 }
 export interface PropertyOutcome {
   property: string;
@@ -78,6 +105,9 @@ export interface Result {
   unasked: { what: string; why: string }[];
   failures: Failure[];
   properties: PropertyOutcome[];
+  /** If asked for by `infer`: null if none fits, and what `rasterproof infer` says in a line. */
+  model?: Model | null;
+  model_text?: string;
 }
 
 export class Refused extends Error {}
@@ -143,7 +173,13 @@ export class Engine {
   progress(): { done: number; of: number };
   save(): Uint8Array;
   load(saved: Uint8Array): void;
-  result(): { version: string; status: number; subjects: Omit<Result, "outcome" | "version">[] };
+  /** `opened` is what open() was given: with save() the command derives all of it again. */
+  result(): {
+    version: string;
+    status: number;
+    opened: object;
+    subjects: Omit<Result, "outcome" | "version">[];
+  };
   covers(question: CoversQuestion): CoversAnswer;
   draw(method: string, scene: Scene, at?: Point): Drawn;
   methods(): string[];

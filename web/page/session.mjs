@@ -151,7 +151,8 @@ class Session {
     const profile = {webgpu: "webgpu", webgl2: "gl"}[api] + (samples > 1 ? `-${samples}x` : "");
     const takes = ["window"];
     const subject = {name: api, input: "float32", coverage: "facing-counts", takes};
-    this.#engine.open({subject, profile, cases, seed, shrink: MOST_SHRINKING});
+    const shrink = MOST_SHRINKING;
+    this.#engine.open({subject, profile, cases, seed, shrink, infer: true});
     if (saved) this.#engine.load(saved);
   }
 

@@ -243,6 +243,20 @@ JsonValue::Items JsonValue::RequireArray() const {
   return {{document_, node_ + 1}, {document_, document_->nodes_[node_].next}};
 }
 
+bool JsonValue::IsSameAs(const JsonValue& other) const {
+  const std::uint32_t size = document_->nodes_[node_].next - node_;
+  if (other.document_->nodes_[other.node_].next - other.node_ != size) return false;
+  for (std::uint32_t k = 0; k < size; ++k) {
+    const JsonDocument::Node& mine = document_->nodes_[node_ + k];
+    const JsonDocument::Node& its = other.document_->nodes_[other.node_ + k];
+    const bool is_container = mine.kind == JsonKind::kObject || mine.kind == JsonKind::kArray;
+    if (mine.kind != its.kind || mine.next - node_ != its.next - other.node_) return false;
+    if (!is_container && document_->Text(node_ + k) != other.document_->Text(other.node_ + k))
+      return false;
+  }
+  return true;
+}
+
 std::string_view JsonValue::RequireString() const {
   if (kind() != JsonKind::kString) {
     throw Error("is " + std::string(KindName(kind())) + ", not a string", "write \"...\"");

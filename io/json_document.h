@@ -103,6 +103,10 @@ class JsonValue {
   /// The items of an array; InputError if it is not an array.
   Items RequireArray() const;
 
+  /// Whether another document holds the same there: members in the same order, numbers with the
+  /// same text.
+  bool IsSameAs(const JsonValue& other) const;
+
   /// The content of a string; InputError if it is not a string.
   std::string_view RequireString() const;
   /// The same of a text that is shown: its ShownName().

@@ -11,6 +11,7 @@
 #include "core/authority.h"
 #include "fmt/format.h"
 #include "tool/certify/cmd_certify.h"
+#include "tool/certify/passport.h"
 #include "tool/certify/shard.h"
 #include "tool/check/cmd_check.h"
 #include "tool/compare/cmd_compare.h"
@@ -182,7 +183,14 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   of_a_run->excludes(verb->add_option("--merge", options.parts,
                                       "Merge these files of --shard or --cases A..B into the "
                                       "campaign's certificate"));
+  of_a_run->excludes(verb->add_option("PASSPORT", options.passport,
+                                      "Certificate of a page that judged a GPU: derive its verdict "
+                                      "again from the answers in it"));
   verb->callback([&run, own] {
+    if (!options.passport.empty()) {
+      run = [] { return RunPassport(options.passport); };
+      return;
+    }
     if (options.subjects.empty() && options.parts.empty()) options.subjects = {own};
     run = [] { return UntilInterrupted(options.parts.empty() ? RunCertify : RunMerge, options); };
   });

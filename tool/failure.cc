@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,9 +16,6 @@
 #include "core/drawing.h"
 #include "core/error.h"
 #include "core/profile.h"
-#include "exact/coverage.h"
-#include "exact/edge.h"
-#include "exact/homogeneous.h"
 #include "exact/rational.h"
 #include "fmt/format.h"
 #include "io/scene_file.h"

@@ -38,6 +38,8 @@ struct CertifyOptions {
   FailOn fail_on = FailOn::kStated;
   /// Files of parts of one subject's campaign to merge (RunMerge): no case is run.
   std::vector<std::string> parts;
+  /// A page's certificate to judge again (RunPassport): nothing else is run.
+  std::string passport;
 };
 int RunCertify(const CertifyOptions& options);
 /// The subject is the one that the parts name unless the options name one.

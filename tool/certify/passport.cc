@@ -1,0 +1,133 @@
+#include "tool/certify/passport.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "core/authority.h"
+#include "core/quoted.h"
+#include "core/result.h"
+#include "fmt/format.h"
+#include "io/case_file.h"
+#include "io/json_document.h"
+#include "io/output.h"
+#include "tool/environment.h"
+#include "tool/exit_status.h"
+#include "tool/failure.h"
+#include "web/engine/open.h"
+#include "web/engine/session.h"
+
+namespace rasterproof::tool {
+namespace {
+
+using io::JsonKind;
+using io::JsonValue;
+
+constexpr std::string_view kSaveAgain = "save it from the page again";
+
+std::string FromBase64(const JsonValue& value) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string_view text = value.RequireString();
+  while (text.ends_with('=')) text.remove_suffix(1);
+  std::string bytes;
+  std::uint32_t bits = 0;
+  int held = 0;
+  for (const char c : text) {
+    const std::size_t digit = kDigits.find(c);
+    if (digit == std::string_view::npos) throw value.Error("is no base64", std::string(kSaveAgain));
+    bits = (bits << 6U | static_cast<std::uint32_t>(digit)) & 0xffffU;
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes.push_back(static_cast<char>(bits >> static_cast<unsigned>(held)));
+  }
+  return bytes;
+}
+
+void RequireThisVersion(const JsonValue& version) {
+  if (version.RequireString() == RASTERPROOF_VERSION) return;
+  throw version.Error(fmt::format("was {}, this is {}, and each draws cases of its own",
+                                  Quoted(version.text()), RASTERPROOF_VERSION),
+                      "judge it by the version that made it");
+}
+
+// What the page says it asked is what its engine was asked.
+void RequireSameAsked(const JsonValue& root, const JsonValue& opened) {
+  const std::optional<JsonValue> asked = root.Find("asked");
+  if (!asked) return;
+  for (const std::string_view key : {"seed", "cases"}) {
+    const auto said = asked->Find(key);
+    const auto was = opened.Find(key);
+    if (said && (!was || !said->IsSameAs(*was)))
+      throw said->Error("is not that of the cases", std::string(kSaveAgain));
+  }
+}
+
+void RequireFollows(const JsonValue& said, const JsonValue& derived) {
+  if (!said.IsSameAs(derived))
+    throw said.Error("does not follow from the answers that it rests on", std::string(kSaveAgain));
+}
+
+std::string_view OutcomeOf(int status) {
+  if (status == kExitHolds) return "holds";
+  return status == kExitViolated ? "violated" : "inconclusive";
+}
+
+int TellJudged(const web::Session& session, int status) {
+  std::string text;
+  std::uint64_t cases = 0;
+  std::size_t properties = 0;
+  for (const PropertyResult& result : session.Results()) {
+    cases += result.cases;
+    if (result.cases != 0) ++properties;
+    if (!result.counterexample) continue;
+    const Counterexample& failure = *result.counterexample;
+    text += FailureLine(session.info(), result.property, failure.value, failure.verdict) + "\n";
+  }
+  text += fmt::format(
+      "{}: {} under {}: {} properties, {} cases. This follows from the recorded answers; that the "
+      "device gave them is taken on trust.\n",
+      session.info().name, OutcomeOf(status), io::ProfileName(session.info().profile), properties,
+      cases);
+  io::WriteStandardOutput(text);
+  return status;
+}
+
+}  // namespace
+
+int RunPassport(const std::string& path) {
+  RequireHonestEnvironment();
+  const io::JsonDocument document(io::ReadFile(path), path);
+  const JsonValue root = document.root();
+  root.Get("rasterproof_passport").RequireInteger(1, 1);
+  const std::optional<JsonValue> result = root.Find("result");
+  if (!result || result->kind() == JsonKind::kNull) {
+    io::WriteStandardOutput(
+        fmt::format("inconclusive: {}\n", Quoted(root.Get("reason").RequireString())));
+    return kExitInconclusive;
+  }
+  RequireThisVersion(result->Get("version"));
+  RequireSameAsked(root, result->Get("opened"));
+  web::Session session(web::OpenedFrom(result->Get("opened")));
+  const JsonValue saved = root.Get("saved");
+  session.Load(FromBase64(saved));
+  if (!session.IsDone())
+    throw saved.Error("does not answer what the cases of this seed ask", std::string(kSaveAgain));
+  const io::JsonDocument derived(session.Result(), "the derived verdict");
+  const JsonValue status = derived.root().Get("status");
+  RequireFollows(result->Get("status"), status);
+  RequireFollows(result->Get("subjects"), derived.root().Get("subjects"));
+  const int worst = static_cast<int>(status.RequireInteger(0, kExitInconclusive));
+  const JsonValue outcome = root.Get("outcome");
+  if (outcome.RequireString() != OutcomeOf(worst))
+    throw outcome.Error("does not follow from the answers that it rests on",
+                        std::string(kSaveAgain));
+  return TellJudged(session, worst);
+}
+
+}  // namespace rasterproof::tool

@@ -51,7 +51,7 @@ function byModule(rasterizer, draw) {
 // What both say, but of some properties; names of subjects and commands are each its own.
 function compared({ status, failures, properties, unasked }, apart) {
   const of = (list) => list.filter(({ property }) => !apart.includes(property));
-  const plain = of(failures).map(({ next, cause, ...failure }) => {
+  const plain = of(failures).map(({ next, cause, picture, clauses, ...failure }) => {
     const { subject, ...file } = failure.case;
     return { ...failure, case: file };
   });

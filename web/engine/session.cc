@@ -159,7 +159,7 @@ std::string Session::Result() const {
   if (opened_.is_whole_catalogue) {
     // It shows coverage alone.
     for (const props::NotAskedOf& one : props::NotAsked(opened_.info, {}, results)) {
-      json.BeginObjectLine().Key("what").Text(one.what).Key("why").Text(one.why).EndObject();
+      json.BeginObjectLine().Key("statement").Text(one.what).Key("by").Text(one.why).EndObject();
     }
   }
   json.EndArray().Key("failures").BeginArray();

@@ -102,7 +102,7 @@ export interface Result {
   version: string;
   status: number;
   outcome: Outcome;
-  unasked: { what: string; why: string }[];
+  unasked: { statement: string; by: string }[];
   failures: Failure[];
   properties: PropertyOutcome[];
   /** If asked for by `infer`: null if none fits, and what `rasterproof infer` says in a line. */

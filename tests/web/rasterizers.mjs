@@ -67,7 +67,9 @@ const topLeft = (dx, dy) => dy > 0n || (dy === 0n && dx < 0n);
 // A method of the module draws.
 async function byMethod(method) {
   const engine = await Engine.create();
-  return ({ width, height, clip, vertices, triangles }) => {
+  return ({ width, height, samples, clip, vertices, triangles }) => {
+    // Of a scene without vertices nobody can tell which space it is in.
+    if (triangles.length === 0) return new Uint32Array(width * height * samples);
     const size = clip ? 4 : 2;
     const scene = { rasterproof_scene: 1, width, height, vertices: [], triangles: [] };
     for (let v = 0; v < vertices.length; v += 4)

@@ -202,6 +202,8 @@ function showResult({result}) {
   const grids = properties.find(({property}) => property === "OneGridExplainsEveryCall");
   if (!model && grids?.outcome === "holds" && grids.message) {
     show("model", {"model-facts": facts([["Its grid", grids.message]])});
+  } else if (!model && subject.model_text) {
+    show("model", {"model-facts": facts([["Its model", subject.model_text]])});
   }
   const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
   const place = ({outcome}) => (ORDER.indexOf(outcome) + ORDER.length) % ORDER.length;
@@ -217,9 +219,9 @@ function showResult({result}) {
   const first = firstFailure(result);
   if (first) showFailure(first);
   const notAsked = properties.filter(({outcome}) => outcome === "not applicable")
-      .map(({property, message}) => ({what: property, why: message}));
-  const rows = [...unasked, ...notAsked].map(({what, why}) => {
-    return made("li", why ? `${what}: ${why}` : what);
+      .map(({property, message}) => ({statement: property, by: message}));
+  const rows = [...unasked, ...notAsked].map(({statement, by}) => {
+    return made("li", by ? `${statement}: ${by}` : statement);
   });
   show("unasked", {"unasked-rows": rows.length > 0 ? rows : [made("li", "nothing")]});
   byId("unasked-count").textContent = rows.length;

@@ -225,7 +225,7 @@ export class Engine {
       version: "stub", status,
       subjects: [{
         subject, profile, status, failures: failure ? [failure] : [], properties: [property],
-        unasked: [{what: "depth and values", why: "the drawers show coverage alone"}], model,
+        unasked: [{statement: "depth and values", by: "the drawers show coverage alone"}], model,
       }],
     };
   }

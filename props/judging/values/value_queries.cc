@@ -284,8 +284,6 @@ std::optional<ValueRange> RangeOf(const ShownValues& shown, const ValueFragment&
       range.tolerance = std::max(range.tolerance, *tolerance);
     }
   }
-  // What the sums of SurelyHolds() and SurelyExcludes() round.
-  range.margin += 0x1p-50 * (std::fabs(range.low) + std::fabs(range.high) + range.tolerance);
   return range;
 }
 

@@ -3,6 +3,7 @@
 #define RASTERPROOF_PROPS_JUDGING_VALUES_VALUE_QUERIES_H_
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -81,10 +82,18 @@ struct ValueRange {
 
   /// Whether the number is surely allowed, or surely not.
   bool SurelyHolds(double x) const {
-    return x >= low - tolerance + margin && x <= high + tolerance - margin;
+    const double unsure = Unsure();
+    return x >= low - tolerance + unsure && x <= high + tolerance - unsure;
   }
   bool SurelyExcludes(double x) const {
-    return !(x >= low - tolerance - margin && x <= high + tolerance + margin);
+    const double unsure = Unsure();
+    return !(x >= low - tolerance - unsure && x <= high + tolerance + unsure);
+  }
+
+ private:
+  // The margin, and what these sums round.
+  double Unsure() const {
+    return margin + 0x1p-50 * (std::fabs(low) + std::fabs(high) + tolerance + margin);
   }
 };
 

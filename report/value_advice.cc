@@ -24,6 +24,7 @@ constexpr std::array kCompared{
     Compared{"Differences from one vertex are the same", "differences", "edge-products"},
     Compared{"A x + B y + C is the same", "origin-plane", "vertex-plane"},
     Compared{"Step, don't multiply", "stepped", "vertex-plane"},
+    Compared{"rcp and one Newton step is enough", "reciprocal-14-newton", "inverse-matrix"},
     Compared{"rcp and one Newton step is enough", "reciprocal-12-newton", "inverse-matrix"},
     Compared{"Derivatives by differences will do", "perspective-difference", "library-derivatives"},
     Compared{"Interpolate in double", "inverse-matrix-f64", "inverse-matrix"},
@@ -37,7 +38,7 @@ const ValueBenchRow* FindValueRow(const BenchResult& result, std::uint32_t famil
   return found == result.value_rows.end() ? nullptr : &*found;
 }
 
-// One method beside another over the families that have both.
+// One method beside another over the families that have both, by the same instruction set.
 std::string Sentence(const BenchResult& result, const Compared& compared) {
   double least = std::numeric_limits<double>::infinity();
   double most = 0;
@@ -48,7 +49,7 @@ std::string Sentence(const BenchResult& result, const Compared& compared) {
   for (std::uint32_t family = 0; family < result.value_families.size(); ++family) {
     const ValueBenchRow* const row = FindValueRow(result, family, compared.method);
     const ValueBenchRow* const other = FindValueRow(result, family, compared.beside);
-    if (row == nullptr || other == nullptr) continue;
+    if (row == nullptr || other == nullptr || row->target != other->target) continue;
     ++families;
     worse += row->ulps > other->ulps ? 1 : 0;
     if (row->ns > 0 && other->ns > 0) {

@@ -190,13 +190,16 @@ void AddTimes(const Run& run, const Run& base, const BenchFamily& described, Ben
 }
 
 // All that draw by vectors, and their floor.
-void AddKernels(kernels::Target target, kernels::Sink sink,
+void AddKernels(kernels::Target target, kernels::Sink sink, bool has_all_rivals,
                 std::vector<std::unique_ptr<Contender>>& contenders) {
   for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
     contenders.push_back(MakeKernelContender(kernel, target, sink));
   }
   for (const library::rivals::Rival& rival : library::rivals::kRivals) {
-    if (Draws(rival, target, sink)) contenders.push_back(MakeRivalContender(rival, target, sink));
+    const std::string name = NameOf(rival);
+    const bool is_among_few = name.starts_with("kernel-") || name == "spans-f64";
+    if (!Draws(rival, target, sink) || !(has_all_rivals || is_among_few)) continue;
+    contenders.push_back(MakeRivalContender(rival, target, sink));
   }
   contenders.push_back(MakeClipContender(target, sink));
   contenders.push_back(MakeDividedContender(kernels::KernelMethod::kExact, target, sink));
@@ -239,7 +242,8 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice,
   for (const kernels::Target each : targets) {
     for (const kernels::Sink sink : kernels::kSinks) {
       const bool is_quick = sink == kernels::Sink::kFacing || sink == kernels::Sink::kMask;
-      if (is_full || is_quick) AddKernels(each, sink, contenders);
+      if (!is_full && !is_quick) continue;
+      AddKernels(each, sink, choice != ContenderChoice::kFew, contenders);
     }
   }
   return contenders;

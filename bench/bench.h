@@ -44,6 +44,8 @@ struct BenchOptions {
 
 /// Which of the built-in methods and kernels are drawn.
 enum class ContenderChoice : std::uint8_t {
+  /// As kQuick, but of the rivals only spans-f64 and those that are called kernels.
+  kFew,
   /// Every method; kernels by the widest vectors into counts and masks.
   kQuick,
   /// Every method; kernels by every instruction set into every sink.

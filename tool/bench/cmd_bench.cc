@@ -64,6 +64,7 @@ namespace kernels = library::kernels;
 
 // Below this, families are small and kernels draw by the machine's best vectors.
 constexpr double kFullFrom = 180;
+constexpr double kAllRivalsFrom = 120;  // below this, few rivals draw
 
 std::string ProcessorName() {
   std::ifstream file("/proc/cpuinfo");
@@ -174,10 +175,14 @@ std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
   return families;
 }
 
+bench::ContenderChoice ChoiceOf(const BenchOptions& options) {
+  if (options.budget >= kFullFrom) return bench::ContenderChoice::kFull;
+  const bool is_short = options.budget < kAllRivalsFrom && options.target.empty();
+  return is_short ? bench::ContenderChoice::kFew : bench::ContenderChoice::kQuick;
+}
+
 std::vector<std::unique_ptr<bench::Contender>> ContendersOf(const BenchOptions& options) {
-  auto contenders = bench::OwnContenders(
-      options.budget < kFullFrom ? bench::ContenderChoice::kQuick : bench::ContenderChoice::kFull,
-      TargetOf(options.target));
+  auto contenders = bench::OwnContenders(ChoiceOf(options), TargetOf(options.target));
   if (options.subjects.empty()) return contenders;
   const auto is_asked = [&](const std::string& name) {
     return std::ranges::find(options.subjects, name) != options.subjects.end();

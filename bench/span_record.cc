@@ -31,7 +31,7 @@ void SpanRecord::Record(const SomeScene& scene, void (*draw)(kernels::Target, ke
   view.triangles = scene.indices.size() / 3;
   view.width = scene.width;
   view.height = scene.height;
-  view.state = &record;
+  view.state = static_cast<const void*>(&record);
   view.on_span = [](const void* state, const kernels::KernelSpan& span) {
     (*static_cast<SpanRecord* const*>(state))->Add(span);
   };

@@ -120,10 +120,11 @@ int Run(int argc, char** argv) {
     }
     std::ranges::sort(runners, {}, &Runner::least);
     const double exact = std::ranges::find(runners, "kernel-exact", &Runner::name)->least;
-    const auto triangles = static_cast<double>(scene.indices.size() / 3);
-    std::printf("%s (%.0f triangles), %s, %s\n", argv[i], triangles, argv[2], argv[3]);
+    const std::size_t triangles = scene.indices.size() / 3;
+    const double nanoseconds = 1e9 / static_cast<double>(triangles);
+    std::printf("%s (%zu triangles), %s, %s\n", argv[i], triangles, argv[2], argv[3]);
     for (const Runner& runner : runners) {
-      std::printf("  %-20s %12.1f %8.2f\n", runner.name.c_str(), 1e9 * runner.least / triangles,
+      std::printf("  %-20s %12.1f %8.2f\n", runner.name.c_str(), nanoseconds * runner.least,
                   runner.least / exact);
     }
   }

@@ -313,7 +313,7 @@ void RasterizeValues(const RasterMesh& mesh, const RasterValues& values, Instruc
       [](const void* of, const kernels::KernelSpan& span) {
         (*static_cast<ValueDrawer* const*>(of))->Draw(span);
       },
-      &state);
+      static_cast<const void*>(&state));
 }
 
 }  // namespace rasterproof

@@ -127,10 +127,10 @@ ValueTriangle Floor(std::uint64_t /*seed*/, int index, double /*value*/) {
       {{{{0, 0}, {1, 0}, {0, 1}}}, {{{1, 0}, {1, 1}, {0, 1}}}}};
   for (int k = 0; k < 3; ++k) {
     const auto& at = kHalves[static_cast<std::size_t>(index % 2)][static_cast<std::size_t>(k)];
+    const int row = square / 64 + at[1];
     const double across = (square % 64 + at[0]) / 32.0 - 1;
-    const double along = 1 + (square / 64 + at[1]) / 4.0;  // from the eye
-    SetCorner(t, k, 256 + 400 * across / along, 120 + 390 / along, along,
-              (square / 64 + at[1]) / 64.0);
+    const double along = 1 + row / 4.0;  // from the eye
+    SetCorner(t, k, 256 + 400 * across / along, 120 + 390 / along, along, row / 64.0);
   }
   return t;
 }

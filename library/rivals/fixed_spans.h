@@ -68,7 +68,10 @@ HWY_NOINLINE void SetUpFixedSpans(const KernelView& view, const std::uint32_t* i
     for (int k = 0; k < 3; ++k) {
       const int a = kEnds[k][0];
       const int b = kEnds[k][1];
-      const VD slope = hn::Div(hn::Sub(x[b], x[a]), hn::Sub(y[b], y[a]));
+      // 0 of an edge along the rows, which crosses none.
+      const VD down = hn::Sub(y[b], y[a]);
+      const VD slope =
+          hn::IfThenZeroElse(hn::Eq(down, hn::Zero(dd)), hn::Div(hn::Sub(x[b], x[a]), down));
       const auto row = a == 0 ? first_row : middle_row;
       const auto centre = hn::Add(hn::ShiftLeft<8>(row), hn::Set(di, 128));
       const VD below = hn::PromoteTo(dd, hn::Sub(centre, s.y[a]));

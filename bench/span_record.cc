@@ -25,12 +25,7 @@ void SpanRecord::Record(const SomeScene& scene, void (*draw)(kernels::Target, ke
                         kernels::Target target) {
   const FloatEnvironment sane;
   SpanRecord* const record = this;
-  kernels::KernelView view{};
-  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
-  view.indices = scene.indices.data();
-  view.triangles = scene.indices.size() / 3;
-  view.width = scene.width;
-  view.height = scene.height;
+  kernels::KernelView view = kernels::ViewOf(scene);
   view.state = static_cast<const void*>(&record);
   view.on_span = [](const void* state, const kernels::KernelSpan& span) {
     (*static_cast<SpanRecord* const*>(state))->Add(span);

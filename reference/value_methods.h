@@ -63,30 +63,26 @@ enum class ValueTarget : std::uint8_t {
 // counts are below. docs/mathematics.md, 6.
 
 /// What roundings add to second order, in conditions.
-/// Measured:   below, the largest error / bound known in float32, float64: value_methods_test,
-///             ValueMethods.NoSearchExceedsTheirBounds, 2026-11-28. Sums of ten roundings that
-///             all have one sign were not found: the bounds are safe, not tight.
+/// Measured:   value_figures.cc has the largest error / bound known of each method; what
+///             ValueMethods.NoSearchExceedsTheirBounds finds is held to it. Sums of ten roundings
+///             that all have one sign were not found: the bounds are safe, not tight.
 inline constexpr double kSecondOrder = 0x1p-16;
 
 /// Edge values E of two differences each: 4 (differences, product, subtraction). n: the quotient,
 /// the product, two sums: 8. d: two sums: 6.
-/// Measured:   0.317, 0.239
 inline constexpr double kEdgeProductsConditions = 8 + kSecondOrder;
 
 /// E 4, quotient 5, the numbers' difference 6, product 7, two sums: 9; a_0 carries two sums and the
 /// area 4. About v_0, M_0 = M_1 + M_2 + |X_1 Y_2| + |X_2 Y_1|, so that the condition has room for
 /// M_k |a_0| and for the area's part |a_0| + |v|.
 /// Fused: the two last products are not rounded: 8.
-/// Measured:   0.348, 0.190; fused 0.281, 0.157
 inline constexpr double kDifferencesConditions = 9 + kSecondOrder;
 inline constexpr double kFusedDifferencesConditions = 8 + kSecondOrder;
 
 /// A: difference, product, two sums, quotient, product, two sums: 8. C: 7. The area: 4.
-/// Measured:   0.267, 0.198
 inline constexpr double kOriginPlaneConditions = 8 + kSecondOrder;
 
 /// A: two differences, product, subtraction, quotient, that of the point, product, two sums: 9.
-/// Measured:   0.294, 0.230
 inline constexpr double kVertexPlaneConditions = 9 + kSecondOrder;
 
 /// The plane from the first vertex at the start: 9 C. n A: its own 5 roundings and the area's 4 on
@@ -94,7 +90,7 @@ inline constexpr double kVertexPlaneConditions = 9 + kSecondOrder;
 /// value between both ends', of at most half the larger condition.
 ///
 /// Domain:     at most 4096 steps: (1 + u)^4096 is within 2^-11 of 1.
-/// Measured:   0.980 of 4096 steps in float32: ValueMethods.SteppingDriftsByHalfAnUlpAStep
+/// Measured:   ValueMethods.SteppingDriftsByHalfAnUlpAStep, 4096 steps in float32
 inline constexpr double kSteppedConditions = 19.01;
 inline constexpr double kSteppedConditionsAStep = 0.501;
 inline constexpr int kMostValueSteps = 4096;
@@ -103,16 +99,13 @@ inline constexpr int kMostValueSteps = 4096;
 /// sums: 10. C: 4 for X_j Y_k - X_k Y_j: 10. d: one less, and the quotient. About the origin
 /// |w_j w_k| X_j Y_k is a product of the homogeneous edge value.
 /// Fused: C meets both last sums: 11.
-/// Measured:   0.267, 0.141; fused 0.292, 0.240
 inline constexpr double kPerspectivePlanesConditions = 10 + kSecondOrder;
 inline constexpr double kFusedPerspectivePlanesConditions = 11 + kSecondOrder;
 
 /// The adjugate 2, products with the numbers 3, sums 5, product with the point 6, sums: 8. d: 7.
-/// Measured:   0.309, 0.204
 inline constexpr double kInverseMatrixConditions = 8 + kSecondOrder;
 
 /// beta_i 5 (proofs/homogeneous.g), quotient 6, product 7, sums: 9. d: 7.
-/// Measured:   0.298, 0.163
 inline constexpr double kPerspectiveWeightsConditions = 9 + kSecondOrder;
 
 /// The relative error of 1/d from an estimate of some bits, after Newton steps r (2 - d r).
@@ -129,19 +122,15 @@ constexpr double ReciprocalError(int bits, int newton_steps) {
 
 /// The inverse matrix with n times an estimated 1/d: the estimate's error and the product's
 /// rounding count on |v| <= C / 2. 2^-8: the estimate's error of 8 roundings.
-/// Measured:   12 bits: 0.880, 0.970; one step 0.291, 0.707; two 0.291, 0.255.
-///             14 bits: 0.910, 0.951; one step 0.300, 0.583; two 0.301, 0.175.
 template <class T>
 constexpr double ReciprocalConditions(int bits, int newton_steps) {
   return 8 + 0x1p-8 + (1 + ReciprocalError<T>(bits, newton_steps) / rounding_epsilon<T>()) / 2;
 }
 
 /// Two values by differences, 9 (C + C'), and the subtraction, of at most half as much.
-/// Measured:   0.175, 0.068
 inline constexpr double kQuadDifferenceConditions = 9.5 + kSecondOrder;
 
 /// Correctly rounded, ties to even. Tight: refuted when lowered by 1 %.
-/// Measured:   0.999, 0.998
 inline constexpr double kCorrectlyRoundedUlps = 0.5;
 
 /// A row of the table. Its conditions are those of core/value_rule.h: they grow where the

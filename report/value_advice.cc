@@ -23,7 +23,8 @@ struct Compared {
 constexpr std::array kCompared{
     Compared{"Differences from one vertex are the same", "differences", "edge-products"},
     Compared{"A x + B y + C is the same", "origin-plane", "vertex-plane"},
-    Compared{"Step, don't multiply", "stepped", "vertex-plane"},
+    Compared{"Step, don't multiply (a scalar loop beside vectors: not like for like)", "stepped",
+             "vertex-plane"},
     Compared{"rcp and one Newton step is enough", "reciprocal-14-newton", "inverse-matrix"},
     Compared{"rcp and one Newton step is enough", "reciprocal-12-newton", "inverse-matrix"},
     Compared{"Derivatives by differences will do", "perspective-difference", "library-derivatives"},

@@ -57,21 +57,16 @@ const ValueMethod* MethodNamed(std::string_view name) {
   return found == methods.end() ? nullptr : &*found;
 }
 
-// The processor's estimate of 12 bits is off by up to 1.5 2^-12.
-double ConditionsOfEstimate(int bits, int steps) {
-  constexpr double kUnit = 0x1p-24;
-  double e = bits == 12 ? 1.5 * 0x1p-12 : 0x1p-14;
-  for (int k = 0; k < steps; ++k) e = e * e + 3 * (1 + 0x1p-10) * kUnit;
-  return 8 + 0x1p-8 + (1 + e / kUnit) / 2;
-}
-
 // Of the methods that the reference states, by name; "-f64": its double's and a rounding.
-void SetBound(const std::string& name, int estimate_bits, ValueContender& contender) {
+void SetBound(const std::string& name, ValueContender& contender) {
   const bool is_double = name.ends_with("-f64");
   const ValueMethod* method =
       MethodNamed(is_double ? std::string_view(name).substr(0, name.size() - 4) : name);
-  // A difference is of both pixels' conditions, a stepped value of the span's both ends.
-  contender.bound.is_stated = method != nullptr && method->target == reference::ValueTarget::kValue;
+  // A difference is of both pixels' conditions, a stepped value of the span's both ends; and the
+  // processor's 12 bits are off by up to 1.5 2^-12, of which nothing is proved.
+  contender.bound.is_stated = method != nullptr &&
+                              method->target == reference::ValueTarget::kValue &&
+                              !name.starts_with("reciprocal-12");
   contender.is_derivative = name.ends_with("-difference");
   if (method == nullptr) return;
   contender.is_of_window = method->space == reference::ValueSpace::kWindow;
@@ -80,10 +75,6 @@ void SetBound(const std::string& name, int estimate_bits, ValueContender& conten
   if (is_double) {
     contender.bound.unit = 0x1p-53;
     contender.bound.ulps = 0.5;
-  }
-  if (name.starts_with("reciprocal")) {
-    const int steps = name.ends_with("-newton-2") ? 2 : name.ends_with("-newton") ? 1 : 0;
-    contender.bound.conditions = ConditionsOfEstimate(estimate_bits, steps);
   }
 }
 
@@ -115,7 +106,7 @@ void AddKernels(const ValueKernels& kernels, std::string_view prefix, KernelDraw
     contender.name = name;
     contender.target = kernels.target;
     contender.floor = kValueFloor;
-    SetBound(name, kernels.estimate_bits, contender);
+    SetBound(name, contender);
     contender.draw = [&drawer, &kernel] { drawer.Draw(kernel); };
     contender.show = [&drawer, &kernel](const ExactValue& at) { return drawer.Show(kernel, at); };
     list.push_back(std::move(contender));

@@ -21,13 +21,10 @@ HWY_INLINE void StoreValues(DD, VD v, float* p, int n) {
   StoreFirst(DDF(), hn::DemoteTo(DDF(), v), p, n);
 }
 
-template <class Policy>
-void Walk(const ValueFrame& frame) {
-  using D = typename Policy::D;
-  using T = NumberOf<D>;
-  const D d;
-  const auto first = hn::Iota(d, T(0.5));
-  Policy policy{};
+// Calls fill(run) of each, its triangle and row set up.
+template <class Policy, class Fill>
+HWY_INLINE void ForEachRun(const ValueFrame& frame, Policy& policy, const Fill& fill) {
+  using T = typename Policy::T;
   std::uint32_t triangle = ~std::uint32_t{0};
   for (std::size_t i = 0; i < frame.count; ++i) {
     const ValueRun& run = frame.runs[i];
@@ -36,32 +33,37 @@ void Walk(const ValueFrame& frame) {
       policy.SetUp(frame.triangles[triangle]);
     }
     policy.Row(static_cast<T>(run.row) + T(0.5));
+    fill(run);
+  }
+}
+
+template <class Policy>
+void Walk(const ValueFrame& frame) {
+  using D = typename Policy::D;
+  using T = typename Policy::T;
+  const D d;
+  const auto first = hn::Iota(d, T(0.5));
+  Policy policy{};
+  ForEachRun(frame, policy, [&](const ValueRun& run) {
     for (int x = run.x0; x < run.x1; x += kLanesOf<D>) {
       const auto centres = hn::Add(hn::Set(d, static_cast<T>(x)), first);
       StoreValues(d, policy.At(centres), frame.row + x, run.x1 - x);
     }
-  }
+  });
 }
 
 // A value after another: each is the one before and the step.
 template <class T>
 void WalkSteps(const ValueFrame& frame) {
   VertexPlanePolicy<hn::CappedTag<T, 1>> policy{};
-  std::uint32_t triangle = ~std::uint32_t{0};
-  for (std::size_t i = 0; i < frame.count; ++i) {
-    const ValueRun& run = frame.runs[i];
-    if (run.triangle != triangle) {
-      triangle = run.triangle;
-      policy.SetUp(frame.triangles[triangle]);
-    }
-    policy.Row(static_cast<T>(run.row) + T(0.5));
+  ForEachRun(frame, policy, [&](const ValueRun& run) {
     const T along = policy.a * ((static_cast<T>(run.x0) + T(0.5)) - policy.x0);
     T value = policy.a0 + (along + policy.row);
     for (int x = run.x0; x < run.x1; ++x) {
       frame.row[x] = static_cast<float>(value);
       value += policy.a;
     }
-  }
+  });
 }
 
 #if HWY_TARGET <= HWY_AVX3

@@ -39,7 +39,6 @@ inline constexpr const char* kValueFloor = "constant";
 
 struct ValueKernels {
   const char* target;
-  int estimate_bits;  ///< of the processor's estimate of a reciprocal
   const ValueKernel* kernels;
   std::size_t count;
 };

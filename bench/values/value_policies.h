@@ -87,6 +87,7 @@ struct ValueLine {
 template <class D_>
 struct ConstantPolicy {
   using D = D_;
+  using T = NumberOf<D>;
   HWY_INLINE void SetUp(const ValueTriangle& t) { a = NumberOf<D>(t.a[0]); }
   HWY_INLINE void Row(NumberOf<D>) {}
   HWY_INLINE hn::Vec<D> At(hn::Vec<D>) const { return hn::Set(D(), a); }

@@ -7,7 +7,6 @@ namespace rasterproof::bench {
 
 namespace simd = library::kernels::HWY_NAMESPACE;
 
-const ValueKernels kAvx512ValueKernels = {"avx512", 14, simd::kValueKernels,
-                                          simd::kValueKernelCount};
+const ValueKernels kAvx512ValueKernels = {"avx512", simd::kValueKernels, simd::kValueKernelCount};
 
 }  // namespace rasterproof::bench

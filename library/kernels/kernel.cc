@@ -121,6 +121,17 @@ void Draw(Target target, KernelFunction draw, KernelView view) {
   draw(view);
 }
 
+template <class SomeScene>
+KernelView ViewOfScene(const SomeScene& scene) {
+  KernelView view{};
+  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
+  view.indices = scene.indices.data();
+  view.triangles = scene.indices.size() / 3;
+  view.width = scene.width;
+  view.height = scene.height;
+  return view;
+}
+
 template <class T>
 T Load(const std::byte* bytes) {
   T value;
@@ -200,20 +211,26 @@ std::uint64_t Surface::At(int x, int y) const {
          std::uint64_t{Load<std::uint32_t>(plane + plane_bytes_ + 4 * pixel)} << 32;
 }
 
+KernelView ViewOf(const KernelScene& scene) { return ViewOfScene(scene); }
+KernelView ViewOf(const ClipScene& scene) {
+  KernelView view = ViewOfScene(scene);
+  view.near_plane = scene.near_plane;
+  return view;
+}
+
+void Attach(Surface& surface, KernelView& view) {
+  view.planes[0] = surface.plane(0);
+  view.planes[1] = surface.plane(1);
+  view.pitch = surface.pitch();
+}
+
 void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface) {
   RequireSupported(target);
   RequireSize(surface, scene.width, scene.height);
   std::optional<FloatEnvironment> sane;  // the guesses' errors are those of rounding to nearest
   if (method == KernelMethod::kExact) sane.emplace();
-  KernelView view{};
-  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
-  view.indices = scene.indices.data();
-  view.triangles = scene.indices.size() / 3;
-  view.width = scene.width;
-  view.height = scene.height;
-  view.planes[0] = surface.plane(0);
-  view.planes[1] = surface.plane(1);
-  view.pitch = surface.pitch();
+  KernelView view = ViewOf(scene);
+  Attach(surface, view);
   Draw(target, FunctionOf(method, target, surface.sink()), view);
 }
 
@@ -221,16 +238,8 @@ void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
   RequireSupported(target);
   RequireSize(surface, scene.width, scene.height);
   const FloatEnvironment sane;
-  KernelView view{};
-  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
-  view.indices = scene.indices.data();
-  view.triangles = scene.indices.size() / 3;
-  view.width = scene.width;
-  view.height = scene.height;
-  view.planes[0] = surface.plane(0);
-  view.planes[1] = surface.plane(1);
-  view.pitch = surface.pitch();
-  view.near_plane = scene.near_plane;
+  KernelView view = ViewOf(scene);
+  Attach(surface, view);
   DrawClip(target, surface.sink(), view);
 }
 
@@ -253,15 +262,8 @@ void DrawClipSpans(Target target, KernelView view) {
 void DrawKnown(Target target, const KnownSpans& spans, const KernelScene& scene, Surface& surface) {
   RequireSupported(target);
   RequireSize(surface, scene.width, scene.height);
-  KernelView view{};
-  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
-  view.indices = scene.indices.data();
-  view.triangles = scene.indices.size() / 3;
-  view.width = scene.width;
-  view.height = scene.height;
-  view.planes[0] = surface.plane(0);
-  view.planes[1] = surface.plane(1);
-  view.pitch = surface.pitch();
+  KernelView view = ViewOf(scene);
+  Attach(surface, view);
   view.known = &spans;
   TableOf(target).known[static_cast<std::size_t>(surface.sink())](view);
 }
@@ -271,8 +273,7 @@ void Fill(Target target, Surface& surface) {
   KernelView view{};
   view.width = surface.width();
   view.height = surface.height();
-  view.planes[0] = surface.plane(0);
-  view.pitch = surface.pitch();
+  Attach(surface, view);
   TableOf(target).fill[static_cast<std::size_t>(surface.sink())](view);
 }
 

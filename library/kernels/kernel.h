@@ -124,6 +124,11 @@ class Surface {
   std::vector<std::byte> bytes_;
 };
 
+/// What a kernel sees of a scene, and of a surface. Owns nothing.
+KernelView ViewOf(const KernelScene& scene);
+KernelView ViewOf(const ClipScene& scene);
+void Attach(Surface& surface, KernelView& view);
+
 /// Draws the scene onto what the surface holds already. Allocates nothing.
 /// kExact draws the same in whatever floating-point mode its caller left.
 ///

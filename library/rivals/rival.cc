@@ -120,15 +120,8 @@ void Draw(const Rival& rival, Target target, const kernels::KernelScene& scene,
   if (surface.width() != scene.width || surface.height() != scene.height) {
     throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
   }
-  kernels::KernelView view{};
-  view.vertices = scene.vertices.empty() ? nullptr : &scene.vertices.front().x;
-  view.indices = scene.indices.data();
-  view.triangles = scene.indices.size() / 3;
-  view.width = scene.width;
-  view.height = scene.height;
-  view.planes[0] = surface.plane(0);
-  view.planes[1] = surface.plane(1);
-  view.pitch = surface.pitch();
+  kernels::KernelView view = kernels::ViewOf(scene);
+  kernels::Attach(surface, view);
   std::vector<std::uint32_t> words;
   std::vector<std::uint64_t> full;
   if (rival.traversal == Traversal::kMaskTiles) {

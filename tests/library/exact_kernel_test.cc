@@ -57,15 +57,9 @@ Given GivenOf(const Scene& scene) {
 
 // The rows from `first` to before `last` alone.
 void DrawBand(Target target, const KernelScene& scene, int first, int last, Surface& surface) {
-  KernelView view{};
-  view.vertices = &scene.vertices.data()->x;
-  view.indices = scene.indices.data();
-  view.triangles = scene.indices.size() / 3;
-  view.width = scene.width;
+  KernelView view = ViewOf(scene);
+  Attach(surface, view);
   view.height = last;
-  view.planes[0] = surface.plane(0);
-  view.planes[1] = surface.plane(1);
-  view.pitch = surface.pitch();
   view.first_row = first;
   DrawExact(target, surface.sink(), view);
 }

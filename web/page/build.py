@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Builds passport.html: the modules of this folder as one file that asks for nothing else.
 
-usage: build.py OUTPUT [--engine FILE.mjs [--wasm FILE.wasm]] [--plants FILE.mjs]
+usage: build.py OUTPUT --engine FILE.mjs [--wasm FILE.wasm] [--plants FILE.mjs]
 --engine: what exports Engine, and useModule() where it takes a module of WebAssembly.
 --plants: faults for tests to plant; no page that is shipped has them.
 """
@@ -118,7 +118,7 @@ def build(engine, wasm, plants):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("output", type=pathlib.Path)
-    parser.add_argument("--engine", type=pathlib.Path, default=FOLDER / "stub_engine.mjs")
+    parser.add_argument("--engine", type=pathlib.Path, required=True)
     parser.add_argument("--wasm", type=pathlib.Path)
     parser.add_argument("--plants", type=pathlib.Path)
     options = parser.parse_args()

@@ -10,7 +10,8 @@ import tempfile
 SOURCES, CHROMIUM = pathlib.Path(sys.argv[1]), sys.argv[2]
 # The engine's module; without it an engine that stands in.
 WASM = os.environ.get("RASTERPROOF_WASM")
-ENGINE = ("--engine", SOURCES / "web" / "npm" / "index.mjs", "--wasm", WASM) if WASM else ()
+ENGINE = (("--engine", SOURCES / "web" / "npm" / "index.mjs", "--wasm", WASM) if WASM else
+          ("--engine", SOURCES / "tests" / "web" / "page" / "stub_engine.mjs"))  # fmt: skip
 KEYS = {"ArrowLeft": 37, "ArrowUp": 38, "ArrowRight": 39, "ArrowDown": 40, "z": 90}
 CONTROL, SHIFT = 2, 8
 sys.path.insert(0, str(SOURCES / "tests" / "tool"))

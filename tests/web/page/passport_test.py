@@ -223,12 +223,16 @@ class Passport(unittest.TestCase):
         self.assertEqual(certificate["outcome"], "inconclusive")
         self.assertIn("no adapter", certificate["reason"])
 
-    def test_a_page_that_is_shipped_plants_nothing(self):
+    def test_a_page_that_is_shipped_plants_nothing_and_names_its_engine(self):
         with tempfile.TemporaryDirectory() as folder:
             page = pathlib.Path(folder, "passport.html")
-            subprocess.run([sys.executable, "-B", SOURCES / "web" / "page" / "build.py", page],
-                           check=True)  # fmt: skip
+            build = [sys.executable, "-B", SOURCES / "web" / "page" / "build.py", page]
+            nameless = subprocess.run(build, capture_output=True, check=False)
+            self.assertEqual(nameless.returncode, 2, nameless.stderr)
+            self.assertFalse(page.exists())
+            subprocess.run([*build, "--engine", SOURCES / "web" / "npm" / "index.mjs"], check=True)
             text = page.read_text(encoding="utf-8")
+        self.assertNotIn("Stands in for", text)
         self.assertNotIn("seven-bits", text)
         self.assertNotIn("http://", text.replace("http://www.w3.org/2000/svg", ""))
 

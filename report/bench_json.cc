@@ -365,4 +365,8 @@ BenchResult ReadBench(const std::string& path) {
   return ParseBench(io::ReadFile(path), path == "-" ? "standard input" : path);
 }
 
+BenchResult AsRecorded(const BenchResult& result) {
+  return ParseBench(BenchToJson(result), "the record of this run");
+}
+
 }  // namespace rasterproof::report

@@ -25,6 +25,10 @@ BenchResult ParseBench(std::string_view text, const std::string& place);
 /// The same of a file; "-" is standard input.
 BenchResult ReadBench(const std::string& path);
 
+/// The result as its file tells it, times rounded: what is printed of it is what `bench --from`
+/// prints of the file.
+BenchResult AsRecorded(const BenchResult& result);
+
 }  // namespace rasterproof::report
 
 #endif  // RASTERPROOF_REPORT_BENCH_JSON_H_

@@ -54,6 +54,12 @@ TEST(BenchJson, ReadsEveryPart) {
   EXPECT_EQ(read.fingerprints[0].png, written.fingerprints[0].png);
 }
 
+TEST(BenchJson, WhatWasMeasuredIsToldWithTheDigitsOfItsFile) {
+  BenchResult result = SampleBench();
+  result.rows[3].time.high = 0.51349999;  // 0.513 as it is, 0.514 as the file tells it
+  EXPECT_EQ(AsRecorded(result).rows[3].time.high, 0.5135);
+}
+
 TEST(BenchJson, TellsTraitsAndLoadAndReadsFilesWithoutThem) {
   BenchResult result = SampleBench();
   EXPECT_TRUE(std::isnan(ParseBench(BenchToJson(result), "old.json").setting.load_before));

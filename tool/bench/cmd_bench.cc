@@ -440,8 +440,8 @@ int RunBench(const BenchOptions& options) {
   if (options.fingerprint) return FingerprintsAlone(options);
   std::optional<BenchResult> before;
   if (!options.against.empty()) before = report::ReadBench(options.against);
-  const BenchResult result =
-      options.from.empty() ? Measured(options) : report::ReadBench(options.from);
+  const BenchResult result = options.from.empty() ? report::AsRecorded(Measured(options))
+                                                  : report::ReadBench(options.from);
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
   if (!options.svg.empty()) io::WriteFile(options.svg, report::BenchToSvg(result));
   if (!before) {

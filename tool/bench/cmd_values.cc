@@ -31,7 +31,7 @@ void PrintValues(const BenchOptions& options, BenchResult& result) {
     bench::RunValues(values, result);
   }
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
-  io::WriteStandardOutput(report::ValuesToTable(result));
+  io::WriteStandardOutput(report::ValuesToTable(report::AsRecorded(result)));
 }
 
 }  // namespace rasterproof::tool

@@ -9,7 +9,7 @@
 namespace rasterproof::reference {
 namespace {
 
-Proof Direct() {
+Proof DirectProof() {
   return {
       "where no product over- or underflows the direct form is off by at most "
       "(3 + 8u) u S + u |E|",
@@ -17,7 +17,7 @@ Proof Direct() {
 }
 
 // Of a walk: where it starts, and what a step adds.
-std::vector<Proof> DirectAnd(Proof step) { return {Direct(), std::move(step)}; }
+std::vector<Proof> DirectAnd(Proof step) { return {DirectProof(), std::move(step)}; }
 
 Proof OneStep() {
   return {"one step is off by at most half an ulp of its sum's binade", "increment.g"};
@@ -29,7 +29,7 @@ std::vector<Proof> EdgeProofs(EdgeArithmetic arithmetic) {
   switch (arithmetic) {
     case EdgeArithmetic::kDirect:
     case EdgeArithmetic::kCompensated:  // of its sums nothing is proved by a script
-      return {Direct()};
+      return {DirectProof()};
     case EdgeArithmetic::kDirectFma:
       return {
           {"where no product over- or underflows the direct form with one fused product is off "

@@ -173,7 +173,7 @@ std::string PowerText(double value) {
                                  : RaisedText(fmt::format("10^{}", exponent));
 }
 
-std::string YAxis(const Plot& plot) {
+std::string VerticalAxis(const Plot& plot) {
   std::string svg;
   const int decades = static_cast<int>(std::lround(std::log10(plot.y.high / plot.y.low)));
   const int step = std::max(1, (decades + 6) / 7);
@@ -190,7 +190,7 @@ std::string YAxis(const Plot& plot) {
 }
 
 // Powers of two, four or five of them.
-std::string XAxis(const Plot& plot, const BenchParameter& parameter) {
+std::string HorizontalAxis(const Plot& plot, const BenchParameter& parameter) {
   std::string svg;
   const int first = static_cast<int>(std::ceil(std::log2(plot.x.low) - 1e-9));
   const int last = static_cast<int>(std::floor(std::log2(plot.x.high) + 1e-9));
@@ -320,7 +320,7 @@ std::string LineNames(const BenchResult& bench, const Plot& plot) {
 std::string CurveFigure(const BenchResult& bench, const Plot& plot, const std::string& about,
                         const std::string& below) {
   const BenchParameter& parameter = bench.parameters[plot.parameter];
-  std::string svg = YAxis(plot) + XAxis(plot, parameter) + FloatEnd(bench, plot);
+  std::string svg = VerticalAxis(plot) + HorizontalAxis(plot, parameter) + FloatEnd(bench, plot);
   for (const Line& line : plot.lines) svg += LinePath(bench, plot, line);
   for (const Line& line : plot.lines) svg += CliffMarks(bench, plot, line);
   return fmt::format(

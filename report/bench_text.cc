@@ -19,7 +19,7 @@ namespace rasterproof::report {
 namespace {
 
 // Rows of a family, by sink in the order of the first row of each, then by time.
-std::vector<const BenchRow*> RowsOf(const BenchResult& result, std::size_t family) {
+std::vector<const BenchRow*> BenchRowsOf(const BenchResult& result, std::size_t family) {
   std::vector<const BenchRow*> rows;
   std::vector<std::string_view> sinks;
   for (const BenchRow& row : result.rows) {
@@ -62,7 +62,7 @@ std::string DrawingText(const BenchRow& row) {
 // What the user's own subjects' times are, and what of theirs was judged.
 std::string UsersText(const BenchResult& result, std::size_t at) {
   std::string text;
-  for (const BenchRow* row : RowsOf(result, at)) {
+  for (const BenchRow* row : BenchRowsOf(result, at)) {
     const BenchMethod& method = result.methods[row->method];
     if (!method.is_users) continue;
     text += fmt::format(
@@ -96,7 +96,7 @@ std::string TableOf(const BenchResult& result, std::size_t at) {
       "  {:<28} {:<8} {:<7} {:>10} {:>10} {:>22} {:>14} {:>9} {:>14} {:>6} {:>6} {:>8}\n", "method",
       "target", "sink", "ns/tri", "less floor", "ratio", "wrong", "px", "own model", "gaps", "over",
       "drawing");
-  for (const BenchRow* row : RowsOf(result, at)) {
+  for (const BenchRow* row : BenchRowsOf(result, at)) {
     const BenchMethod& method = result.methods[row->method];
     const std::string ratio = RatioText(*row, 4);
     const double less = NanosecondsLessFloor(result, *row);

@@ -74,7 +74,7 @@ std::string WordsOn(const Certificate& certificate, const PropertyResult& result
   return Said(result);
 }
 
-std::string RowsOf(const Certificate& certificate, const Question& question) {
+std::string AnswerRowsOf(const Certificate& certificate, const Question& question) {
   std::string rows;
   for (const std::string_view property : question.properties) {
     const PropertyResult* const result = ResultOf(certificate, property);
@@ -91,7 +91,7 @@ std::string RowsOf(const Certificate& certificate, const Question& question) {
 
 std::string Answers(const std::vector<const Certificate*>& subjects, const Question& question) {
   std::string rows;
-  for (const Certificate* one : subjects) rows += RowsOf(*one, question);
+  for (const Certificate* one : subjects) rows += AnswerRowsOf(*one, question);
   if (rows.empty()) return "<p>None of the properties that decide it was asked.</p>\n";
   return "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>subject</th><th>decided "
          "by</th>"

@@ -202,13 +202,13 @@ void AddTiles(std::vector<Suspect>& list) {
   }
 }
 
-using Corners = SuspectStages::TileCorners;
+using CornerNumbers = SuspectStages::TileCorners;
 
-bool IsInside(const std::array<Corners, 3>& values, std::size_t corner) {
-  return std::ranges::all_of(values, [&](const Corners& e) { return e[corner] > 0; });
+bool IsInside(const std::array<CornerNumbers, 3>& values, std::size_t corner) {
+  return std::ranges::all_of(values, [&](const CornerNumbers& e) { return e[corner] > 0; });
 }
-bool IsOutside(const std::array<Corners, 3>& values, std::size_t corner) {
-  return std::ranges::any_of(values, [&](const Corners& e) { return e[corner] < 0; });
+bool IsOutside(const std::array<CornerNumbers, 3>& values, std::size_t corner) {
+  return std::ranges::any_of(values, [&](const CornerNumbers& e) { return e[corner] < 0; });
 }
 
 void AddTileTests(std::vector<Suspect>& list) {
@@ -217,7 +217,8 @@ void AddTileTests(std::vector<Suspect>& list) {
     for (const int side : {4, 8, 16, 32, 64}) {
       SuspectStages stages;
       stages.tile = side;
-      stages.tile_test = [instead, holds](const std::array<Corners, 3>& values, TileTest sound) {
+      stages.tile_test = [instead, holds](const std::array<CornerNumbers, 3>& values,
+                                          TileTest sound) {
         return holds(values) ? instead : sound;
       };
       list.push_back({"tile-borders", what + " (tiles of " + std::to_string(side) + " pixels)",

@@ -19,7 +19,7 @@
 namespace rasterproof::props {
 namespace {
 
-constexpr std::size_t kMostTriangles = 64;
+constexpr std::size_t kMostNearTriangles = 64;
 constexpr long double kUnit = std::numeric_limits<long double>::epsilon();
 
 struct LongPoint {
@@ -83,7 +83,7 @@ class Counter {
 
   CaseEvidence Count() {
     const std::vector<Triangle>& triangles = case_.scene.triangles;
-    for (std::size_t t = 0; t < std::min(kMostTriangles, triangles.size()); ++t) {
+    for (std::size_t t = 0; t < std::min(kMostNearTriangles, triangles.size()); ++t) {
       CountTriangle(Corners(case_.scene, triangles[t]));
     }
     if (SharedEdgeHasTie()) Note(CasePlace::kTieOnSharedEdge);

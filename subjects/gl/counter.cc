@@ -10,11 +10,11 @@
 namespace rasterproof::subjects {
 namespace {
 
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kCountVertexShader = R"(#version 330 core
 layout(location = 0) in vec3 clip;
 void main() { gl_Position = vec4(clip.xy, 0.0, clip.z); }
 )";
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kCountFragmentShader = R"(#version 330 core
 out vec2 counts;
 void main() { counts = gl_FrontFacing ? vec2(1.0, 0.0) : vec2(0.0, 1.0); }
 )";
@@ -39,7 +39,7 @@ GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission, int sa
     throw std::runtime_error("the renderer is " + renderer);
   }
   if (samples_ > 1) reader_.emplace(samples_);
-  program_ = MakeProgram(kVertexShader, kFragmentShader);
+  program_ = MakeProgram(kCountVertexShader, kCountFragmentShader);
   glGenVertexArrays(1, &attributes_);
   glBindVertexArray(attributes_);
   GLuint name = 0;

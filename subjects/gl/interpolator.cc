@@ -11,7 +11,7 @@ namespace rasterproof::subjects {
 namespace {
 
 // Every number in every way.
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kValueVertexShader = R"(#version 330 core
 layout(location = 0) in vec4 clip;
 layout(location = 1) in vec4 numbers;
 smooth out vec4 perspective;
@@ -25,7 +25,7 @@ void main() {
   barycentrics = vec3(corner == 0, corner == 1, corner == 2);
 }
 )";
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kValueFragmentShader = R"(#version 330 core
 #extension GL_ARB_derivative_control : require
 uniform ivec4 kinds;  // enum rasterproof_interpolation
 smooth in vec4 perspective;
@@ -56,7 +56,7 @@ GlInterpolator::GlInterpolator(const char* gallium_driver) : context_(gallium_dr
   if (!renderer.starts_with(gallium_driver)) {
     throw std::runtime_error("the renderer is " + renderer);
   }
-  const GLuint program = MakeProgram(kVertexShader, kFragmentShader);
+  const GLuint program = MakeProgram(kValueVertexShader, kValueFragmentShader);
   glUseProgram(program);
   kinds_ = glGetUniformLocation(program, "kinds");
   GLuint name = 0;

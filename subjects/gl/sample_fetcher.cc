@@ -8,12 +8,12 @@ namespace rasterproof::subjects {
 namespace {
 
 // One triangle over everything.
-constexpr const char* kVertexShader = R"(#version 330 core
+constexpr const char* kFetchVertexShader = R"(#version 330 core
 void main() {
   gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
 }
 )";
-constexpr const char* kFragmentShader = R"(#version 330 core
+constexpr const char* kFetchFragmentShader = R"(#version 330 core
 uniform sampler2DMS drawn;
 uniform int samples;
 out vec2 counts;
@@ -26,7 +26,7 @@ void main() {
 }  // namespace
 
 SampleFetcher::SampleFetcher(int samples)
-    : samples_(samples), program_(MakeProgram(kVertexShader, kFragmentShader)) {
+    : samples_(samples), program_(MakeProgram(kFetchVertexShader, kFetchFragmentShader)) {
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "drawn"), 0);
   glUniform1i(glGetUniformLocation(program_, "samples"), samples);

@@ -59,7 +59,7 @@ std::vector<Mutant> TieRules() {
   };
 }
 
-std::vector<Mutant> Snaps() {
+std::vector<Mutant> SnapVariants() {
   constexpr double kLimit = 0x1p15;
   return {
       {"snap-nearest-away", "ties of the snap go away from zero", "",
@@ -147,7 +147,7 @@ std::vector<Mutant> OtherBases() {
 std::vector<Mutant> LegalVariants() {
   std::vector<Mutant> table = TieRules();
   for (const auto more :
-       {Snaps,          Samples,          Freedoms,         OtherBases,       TransformVariants,
+       {SnapVariants,   Samples,          Freedoms,         OtherBases,       TransformVariants,
         MapVariants,    ScanlineVariants, SquareVariants,   ContractVariants, FreeVariants,
         SetVariants,    GridVariants,     FacingVariants,   FarVariants,      HistoryVariants,
         SampleVariants, CentroidVariants, FragmentVariants, WidthVariants,    ListVariants,

@@ -9,10 +9,10 @@ namespace rasterproof::subjects::mutants {
 namespace {
 
 // Where an edge crosses a row, in 1/256 pixel; its upper end is `a`.
-using Crossing = std::int64_t (*)(GridPoint a, GridPoint b, std::int64_t y);
+using RowCrossing = std::int64_t (*)(GridPoint a, GridPoint b, std::int64_t y);
 
 // From one crossing up to the other.
-bool IsInTheRow(Crossing crossing, const Sample& s, std::array<GridPoint, 3> v) {
+bool IsInTheRow(RowCrossing crossing, const Sample& s, std::array<GridPoint, 3> v) {
   std::ranges::sort(v, {}, &GridPoint::y);
   const std::int64_t y = s.at.y;
   if (y < v[0].y || y >= v[2].y) return false;
@@ -22,7 +22,7 @@ bool IsInTheRow(Crossing crossing, const Sample& s, std::array<GridPoint, 3> v) 
 }
 
 // Snaps to 1/256 pixel, and fills each row between its rounded crossings; top-left.
-FixedStages Scanlines(SnapRule stated, Crossing crossing) {
+FixedStages Scanlines(SnapRule stated, RowCrossing crossing) {
   FixedStages stages;
   stages.has_workers = false;
   stages.profile.name = "rounded crossings";

@@ -40,7 +40,7 @@ N Area(const BarycentricQuery& q) {
 }
 
 template <class N>
-N EdgeAt(const BarycentricQuery& q, int edge) {
+N EdgeNear(const BarycentricQuery& q, int edge) {
   return EdgeIn<N>(EdgeStart(q.v, edge), EdgeEnd(q.v, edge), q.place.at);
 }
 
@@ -54,7 +54,7 @@ std::array<N, 2> Side(const BarycentricQuery& q, int edge) {
 
 template <class N>
 WireframeScale<N> InBarycentricSpace(const BarycentricQuery& q, int edge) {
-  return {Square<N>(EdgeAt<N>(q, edge) / Area<N>(q)), 1};
+  return {Square<N>(EdgeNear<N>(q, edge) / Area<N>(q)), 1};
 }
 
 // lambda_i = E_i / area with gradient (dY, -dX) / area: over the L1 norm of the gradient that is
@@ -63,7 +63,7 @@ template <class N>
 WireframeScale<N> InTheL1Norm(const BarycentricQuery& q, int edge) {
   const auto [dx, dy] = Side<N>(q, edge);
   const N reach = dx.Abs() + dy.Abs();
-  return {Square<N>(EdgeAt<N>(q, edge) / reach), Nearest(Area<N>(q).Abs() / reach)};
+  return {Square<N>(EdgeNear<N>(q, edge) / reach), Nearest(Area<N>(q).Abs() / reach)};
 }
 
 // The distance is |E_i| over the edge's length, the height |area| over it.
@@ -71,7 +71,7 @@ template <class N>
 WireframeScale<N> InPixels(const BarycentricQuery& q, int edge) {
   const auto [dx, dy] = Side<N>(q, edge);
   const N length = Square(dx) + Square(dy);
-  return {Square<N>(EdgeAt<N>(q, edge)) / length, RoundedRoot(Square<N>(Area<N>(q)) / length)};
+  return {Square<N>(EdgeNear<N>(q, edge)) / length, RoundedRoot(Square<N>(Area<N>(q)) / length)};
 }
 
 }  // namespace

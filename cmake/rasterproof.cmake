@@ -200,6 +200,14 @@ function(rasterproof_optimised out)
   set(${out} ${found} PARENT_SCOPE)
 endfunction()
 
+# rasterproof_unsanitized(TARGET ...): what only tests labelled `unsanitized` run. A build with
+# sanitizers makes it when it is asked for.
+function(rasterproof_unsanitized)
+  if(RASTERPROOF_SANITIZE)
+    set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endfunction()
+
 # A test that takes so long hangs: no limit of a test is one that a loaded machine reaches.
 set(hang_seconds 3600)
 

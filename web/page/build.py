@@ -18,7 +18,7 @@ SOURCES = FOLDER.parent.parent
 # In order: each sees those before it.
 MODULES = ("drawer", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "scene",
            "board", "geometry", "corners", "methods", "numbers", "picture", "session",
-           "reproducer", "compare", "playground")  # fmt: skip
+           "reproducer", "compare", "issue_text", "playground")  # fmt: skip
 # In a function of their own, whose text goes into reproducers.
 DRAWERS = MODULES[:3]
 # The playground's cases: what each group is.
@@ -86,6 +86,18 @@ def presets():
     return json.dumps(found, separators=(",", ":"))
 
 
+def clauses():
+    """Where a specification says what, by the clause's id."""
+    found = {}
+    for api in ("gl", "webgpu"):
+        text = (SOURCES / "core" / "clauses" / f"{api}.txt").read_text(encoding="utf-8")
+        for entry in text.split("\n\n"):
+            keys = dict(line.split(": ", 1) for line in entry.splitlines() if ": " in line)
+            if "id" in keys:
+                found[keys["id"]] = f"{keys['id']}, {keys['place']}: {keys['sentence']}"
+    return json.dumps(found, separators=(",", ":"))
+
+
 def script(engine, wasm, plants):
     paths = {name: FOLDER / f"{name}.mjs" for name in MODULES}
     paths |= {"engine": engine, "plants": plants}
@@ -99,7 +111,7 @@ def script(engine, wasm, plants):
     named = ", ".join(["drawers", *(name for name, path in paths.items() if path)])
     page = (FOLDER / "page.mjs").read_text(encoding="utf-8")
     # One function: the page calls it where a worker can't have a GPU, else a worker is made of it.
-    return (f'"use strict";\nconst PRESETS = {presets()};\n'
+    return (f'"use strict";\nconst PRESETS = {presets()};\nconst CLAUSES = {clauses()};\n'
             f"function modules() {{\n{bodies}return {{{named}}};\n}}\n{page}")  # fmt: skip
 
 

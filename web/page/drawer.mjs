@@ -11,7 +11,8 @@
  * @property {"window"|"clip"} [space]
  * @property {Uint32Array} triangles  Three indices each.
  * @property {boolean} [facing]  false: all fragments count as front.
- * @property {number} [reach]  Half the side of the viewport, a power of two <= info.reach.
+ * @property {number} [reach]  Half the side of the viewport, a power of two: of a centred one at
+ *     most info.viewport.reach, of an ordinary one at most half of info.largestTarget.
  * @property {number} [mask]  Of samples, one bit each; all if absent.
  * @property {[number, number]} [start]  What front and back count before the first triangle.
  *
@@ -75,9 +76,9 @@ export function powerBelow(n) {
 
 const padded = (n) => 2 ** Math.ceil(Math.log2(Math.max(n, LEAST_SIDE)));
 
-/** The side of the square that holds the scene: a power of two, so that scaling is exact. */
-export function paddedSide(scene) {
-  return padded(Math.max(scene.width, scene.height));
+/** An ordinary viewport's side: a power of two, so that scaling is exact. It holds the scene. */
+export function paddedSide({width, height, reach = 0}) {
+  return padded(Math.max(width, height, 2 * reach));
 }
 
 /** Width and height of the target: an ordinary viewport has to lie in it. */

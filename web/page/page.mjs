@@ -1,6 +1,7 @@
 /* The page's side of a run: what it shows, and where the worker comes from. */
 const parts = modules();
 const {svg} = parts.board;
+const {firstFailure} = parts.issue_text;
 const byId = (id) => document.getElementById(id);
 const KEPT = "rasterproof-run";
 const PROOF_NAMES = {
@@ -29,6 +30,7 @@ function show(section, lists) {
   for (const [id, children] of Object.entries(lists)) byId(id).replaceChildren(...children);
 }
 
+const counted = (count, one, more) => `${count} ${count === 1 ? one : more}`;
 const facts = (pairs) => pairs.flatMap(([name, text]) => [made("dt", name), made("dd", text)]);
 const chip = (outcome) => made("span", outcome, {class: `chip ${chipClass(outcome)}`});
 
@@ -159,7 +161,7 @@ const MODEL_WORDS = {
   "i64-snap8": "corners rounded to 1/256 pixel",
 };
 
-function showFailure({message, clause, pixel, sample, expected, actual, picture, ...failure}) {
+function showFailure({message, clause, pixel, sample, expected, actual, ...failure}, picture) {
   const where = pixel ? ` First at pixel (${pixel.join(", ")}), sample ${sample ?? 0}: ` +
       `expected ${expected}; drawn: ${actual}.` : "";
   show("failure", {"pictures": [], "edges": [], "failure-said": [
@@ -183,28 +185,22 @@ function showFailure({message, clause, pixel, sample, expected, actual, picture,
   }));
 }
 
-/** What fails the run goes first; a lack of quality alone is shown, too. */
-function firstFailure(result) {
-  const failures = result?.subjects[0].failures ?? [];
-  return failures.find(({fails}) => fails) ?? failures[0];
+/** The model in a viewport of each size, and whether the size matters. */
+function showModels(models) {
+  const words = models.map(({model, text}) => {
+    return model ? parts.compare.modelWords(model) : text ?? "no model explains what was drawn";
+  });
+  const rows = models.map(({side}, k) => [`Viewport of ${side} x ${side} pixels`, words[k]]);
+  const said = models.length === 1 ? "This device was asked in a viewport of one size alone." :
+    words[0] === words[1] ? "The same at both sizes." :
+      "The two sizes differ: this driver chooses its grid by the viewport's size. No specification " +
+      "asked here forbids that.";
+  show("model", {"model-facts": facts(rows), "model-sizes": [said]});
 }
 
-function showResult({result}) {
-  const [subject] = result.subjects;
-  const {model, failures, properties, unasked} = subject;
-  if (model) {
-    show("model", {"model-facts": facts([
-      ["Subpixel bits", model.subpixelBits.join(" or ")],
-      ["Snap", model.snap.join(" or ")],
-      ["Samples on edges", model.ties],
-    ])});
-  }
-  const grids = properties.find(({property}) => property === "OneGridExplainsEveryCall");
-  if (!model && grids?.outcome === "holds" && grids.message) {
-    show("model", {"model-facts": facts([["Its grid", grids.message]])});
-  } else if (!model && subject.model_text) {
-    show("model", {"model-facts": facts([["Its model", subject.model_text]])});
-  }
+function showResult({result, models, picture}) {
+  const {failures, properties, unasked} = result.subjects[0];
+  showModels(models);
   const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
   const place = ({outcome}) => (ORDER.indexOf(outcome) + ORDER.length) % ORDER.length;
   const asked = properties.filter(({outcome}) => outcome !== "not applicable");
@@ -217,30 +213,39 @@ function showResult({result}) {
     ]);
   })});
   const first = firstFailure(result);
-  if (first) showFailure(first);
+  if (first) showFailure(first, picture);
   const notAsked = properties.filter(({outcome}) => outcome === "not applicable")
       .map(({property, message}) => ({statement: property, by: message}));
   const rows = [...unasked, ...notAsked].map(({statement, by}) => {
     return made("li", by ? `${statement}: ${by}` : statement);
   });
   show("unasked", {"unasked-rows": rows.length > 0 ? rows : [made("li", "nothing")]});
-  byId("unasked-count").textContent = rows.length;
+  byId("unasked-count").textContent = counted(rows.length, "matter", "matters");
 }
 
 /* What comes first in the table; what is not named here goes before the last. */
 const ORDER = ["violated", "inconclusive", "quality", "refused", "holds", "not exercised"];
 
-const SENTENCES = {
-  holds: "No sentence of the specification that was asked of this device is broken.",
-  violated: "This device breaks what its specification says.",
-  inconclusive: "This device was not judged.",
-};
+function sentence(outcome, result) {
+  const {properties = []} = result?.subjects[0] ?? {};
+  const asked = properties.filter(({cases}) => cases > 0).length;
+  const failing = properties.filter(({fails}) => fails).length;
+  const of = `${failing} of ${counted(asked, "property", "properties")}`;
+  return {
+    holds: "No sentence of the specification that was asked of this device is broken: " +
+        `${counted(asked, "property", "properties")}, no failure.`,
+    violated: `This device breaks what its specification says: ${of} failed. The first is ` +
+        "pictured below.",
+    inconclusive: "This device was not judged.",
+  }[outcome];
+}
 
 function showDone(message) {
   const {outcome, reason, result, losses, pauses, draws, milliseconds} = message;
   run.done = message;
   keep(null);
-  byId("verdict").replaceChildren(chip(outcome), ` ${SENTENCES[outcome]}`);
+  byId("verdict").replaceChildren(chip(outcome), ` ${sentence(outcome, result)}`);
+  byId("meanings").open = false;
   if (result) showResult(message);
   show("run", {"run-facts": facts([
     ["Cases", `${run.asked.cases}, of each property`],
@@ -248,7 +253,8 @@ function showDone(message) {
     ["Seed", run.asked.seed],
     ["Draws", draws],
     ["Time", `${(milliseconds / 1000).toFixed(1)} s`],
-    ["Interrupted", `device lost ${losses} times, page hidden ${pauses} times`],
+    ["Interrupted", `device lost ${counted(losses, "time", "times")}, page hidden ${
+      counted(pauses, "time", "times")}`],
   ])});
   if (result) byId("progress").value = byId("progress").max;
   setState("done", reason ? `Inconclusive: ${reason}.` : "Done.");
@@ -269,6 +275,11 @@ const RECEIVE = {
     if (document.body.dataset.state === "running") {
       byId("status").textContent = `${done} of ${of} cases judged, ${draws} draws.`;
     }
+  },
+  again() {
+    if (document.body.dataset.state !== "running") return;
+    byId("status").textContent = "All cases are judged. Its model is looked for once more, in a " +
+        "viewport of another size.";
   },
   saved: ({bytes}) => keep(bytes),
   stopped({bytes}) {
@@ -349,24 +360,7 @@ function certificate() {
   return {rasterproof_passport: 1, asked, where, browser, info, proof, ...rest, saved};
 }
 
-function reportText() {
-  const {asked, info, done} = run;
-  const failure = firstFailure(done.result);
-  const lines = [
-    `Rasterizer passport: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`,
-    `Device: ${JSON.stringify(info?.adapter)}; ${navigator.userAgent}`,
-    `Asked: ${asked.cases} cases, seed ${asked.seed}, ${asked.api}, samples: ${asked.samples}`,
-  ];
-  if (failure) {
-    lines.push(`${failure.property}: ${failure.message}`,
-        `clause: ${failure.clause}`,
-        ...(failure.pixel ? [`at pixel (${failure.pixel})`] : []),
-        `expected: ${failure.expected}`, `drawn: ${failure.actual}`,
-        "`rasterproof replay` takes this case; the page saves one that draws it alone.",
-        "```json", JSON.stringify(failure.case), "```");
-  }
-  return lines.join("\n");
-}
+const reportText = () => parts.issue_text.issueText({...run, browser: navigator.userAgent});
 
 function saveAs(download, text, type) {
   const link = made("a", "", {download, href: URL.createObjectURL(new Blob([text], {type}))});
@@ -379,7 +373,8 @@ function save() {
 }
 
 const reproducerPage = () => {
-  return parts.reproducer.reproducer(firstFailure(run.done.result), run.asked, parts.drawers);
+  const {result, picture} = run.done;
+  return parts.reproducer.reproducer(firstFailure(result), picture, run.asked, parts.drawers);
 };
 
 /* The texts of two files, as they come. */
@@ -398,7 +393,7 @@ async function compareFile(which, file) {
   const {first, second} = compared;
   byId("compare-said").textContent = "";
   if (!first || !second) return;
-  const {said, rows} = compare(first, second);
+  const {said, rows} = compare(first, second, CLAUSES);
   byId("compare-said").textContent = said;
   byId("compare-table").hidden = rows.length === 0;
   byId("compare-rows").replaceChildren(...rows.map((row) => made("tr", [

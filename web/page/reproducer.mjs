@@ -53,13 +53,13 @@ async function main({drawers, api, request, part, expected}) {
 const safe = (text) => text.replaceAll("&", "&amp;").replaceAll("<", "&lt;");
 
 /**
- * @param {object} failure  With its picture.
+ * @param {object} failure
+ * @param {?import("./picture.mjs").Picture} picture
  * @param {{api: string, samples: number}} asked
  * @param {() => object} drawers
- * @returns {string} The page; null if the failure has no picture.
+ * @returns {?string} The page; null if there is no picture.
  */
-export function reproducer(failure, {api, samples}, drawers) {
-  const {picture} = failure;
+export function reproducer(failure, picture, {api, samples}, drawers) {
   if (!picture) return null;
   const request = requestOf(playOf(failure.case), samples);
   const points = Array.from(request.vertices).filter((_, k) => k % 4 < 2);

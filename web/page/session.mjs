@@ -2,10 +2,12 @@
  * A run: opens a drawer, has it prove itself, and takes draws from the engine to it. It lives in
  * the worker, or in the page where a worker has no GPU, and speaks by messages.
  *
- * In: {type: "start", api, samples, cases, seed, [reach], [saved], [plant]}, "pause", "go",
+ * In: {type: "start", api, samples, cases, seed, [properties], [saved], [plant]}, "pause", "go",
  * "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
- * {done, of, draws, milliseconds} and "saved" {bytes} in turn, and at last "stopped" {bytes} or
- * "done" {outcome, reason, result, losses, pauses, draws, milliseconds, bytes}.
+ * {done, of, draws, milliseconds} and "saved" {bytes} in turn, "again" when the cases are judged,
+ * and at last "stopped" {bytes} or "done" {outcome, reason, result, models, losses, pauses, draws,
+ * milliseconds, bytes, picture}. models: {side, model, text} of viewports of two sizes, in pixels.
+ * The engine's result stays as it is: whoever judges it again compares all of it.
  */
 import {LostError, refusalOf} from "./drawer.mjs";
 import {open as openWebGl2} from "./webgl2.mjs";
@@ -23,6 +25,11 @@ const MOST_DRAWS = 256;
 const SAVE_MILLISECONDS = 1000;
 /* Evaluations a failure: some seconds, where each waits for a GPU. */
 const MOST_SHRINKING = 60;
+/* Half the viewport's side in which the model is looked for again: drivers choose the grid by the
+   viewport's size, some of them another one up to here. No corner comes near its sides. */
+const SMALL_REACH = 1024;
+const SMALL_LIMIT = 514;
+const PROFILES = {webgpu: "webgpu", webgl2: "gl"};
 
 /** Lets messages in. No timer: those of hidden tabs stand still. */
 function turn() {
@@ -65,6 +72,7 @@ class Session {
   #record = {losses: 0, pauses: 0, draws: 0};
   #resume = null;
   #batch = 4;
+  #reach = undefined;
   isStopped = false;
 
   constructor(post, asked) {
@@ -109,7 +117,7 @@ class Session {
 
   /** Draws in batches that a GPU has in hand at once; null if stopped. */
   async #drawAll(requests) {
-    const {reach} = this.#asked;
+    const reach = this.#reach;
     const answers = [];
     while (answers.length < requests.length) {
       const since = performance.now();
@@ -147,20 +155,55 @@ class Session {
   }
 
   #openEngine() {
-    const {api, samples, cases, seed, saved} = this.#asked;
-    const profile = {webgpu: "webgpu", webgl2: "gl"}[api] + (samples > 1 ? `-${samples}x` : "");
-    const takes = ["window"];
-    const subject = {name: api, input: "float32", coverage: "facing-counts", takes};
+    const {api, samples, cases, seed, properties, saved} = this.#asked;
+    const profile = PROFILES[api] + (samples > 1 ? `-${samples}x` : "");
     const shrink = MOST_SHRINKING;
-    this.#engine.open({subject, profile, cases, seed, shrink, infer: true});
+    this.#engine.open({
+      subject: this.#subject(), profile, cases, seed, shrink, infer: true,
+      ...(properties && {properties}),
+    });
     if (saved) this.#engine.load(saved);
   }
 
-  /** To what fails first. Whatever goes wrong with it, the verdict stays. */
-  async #addPicture({subjects: [{failures}]}) {
+  #subject() {
+    return {
+      name: this.#asked.api, input: "float32", coverage: "facing-counts", takes: ["window"],
+    };
+  }
+
+  /** The model in viewports of two sizes; null if stopped. */
+  async #models({subjects: [{model, model_text: text}]}) {
+    const {api, samples, seed} = this.#asked;
+    const {kind, reach} = this.#drawer.info.viewport;
+    const models = [{side: 2 * reach, model, text}];
+    const isOther = kind === "centred" ? reach > SMALL_REACH : reach < SMALL_REACH;
+    if (!isOther || this.#drawer.info.largestTarget < 2 * SMALL_REACH) return models;
+    this.#post({type: "again"});
+    const engine = await Engine.create();
+    const profile = {
+      specification: PROFILES[api], name: "small", coordinate_limit: SMALL_LIMIT,
+      sample_locations: `standard-${samples}`,
+    };
+    engine.open({subject: this.#subject(), profile, seed, properties: [], infer: true});
+    this.#reach = SMALL_REACH;
+    try {
+      for (let round = engine.next(); round.length > 0; round = engine.next()) {
+        const answers = await this.#answers(round);
+        if (!answers) return null;
+        engine.answer(answers);
+      }
+    } finally {
+      this.#reach = undefined;
+    }
+    const [again] = engine.result().subjects;
+    return [...models, {side: 2 * SMALL_REACH, model: again.model, text: again.model_text}];
+  }
+
+  /** Of what fails first; null if there is none. Whatever goes wrong with it, the verdict stays. */
+  async #picture({subjects: [{failures}]}) {
     const {samples} = this.#asked;
     const failure = failures.find(({fails}) => fails) ?? failures[0];
-    if (!failure) return;
+    if (!failure) return null;
     const draw = async (request) => {
       const [{counts}] = await this.#answers([request]) ?? [{}];
       if (!counts) throw new Error("no counts");
@@ -168,18 +211,18 @@ class Session {
       return {front: counts.subarray(0, half), back: counts.subarray(half)};
     };
     try {
-      failure.picture = await pictureOf(failure, samples, draw, await Engine.create());
-    } catch (error) {
-      failure.noPicture = error.message;
+      return await pictureOf(failure, samples, draw, await Engine.create());
+    } catch {
+      return null;
     }
   }
 
   async run() {
     const begun = performance.now();
     const milliseconds = () => Math.round(performance.now() - begun);
-    const finish = (outcome, reason, result = null) => this.#post({
-      type: "done", outcome, reason, result, ...this.#record, milliseconds: milliseconds(),
-      bytes: this.#engine?.save() ?? null,
+    const finish = (outcome, reason, found = {}) => this.#post({
+      type: "done", outcome, reason, result: null, models: [], picture: null, ...found,
+      ...this.#record, milliseconds: milliseconds(), bytes: this.#engine?.save() ?? null,
     });
     try {
       const reason = await this.#begin();
@@ -201,8 +244,10 @@ class Session {
         this.#post({type: "saved", bytes: this.#engine.save()});
       }
       const result = this.#engine.result();
-      await this.#addPicture(result);
-      finish(OUTCOMES[result.status] ?? "inconclusive", null, result);
+      const models = await this.#models(result);
+      if (!models) return this.#post({type: "stopped", bytes: this.#engine.save()});
+      const picture = await this.#picture(result);
+      finish(OUTCOMES[result.status] ?? "inconclusive", null, {result, models, picture});
     } catch (error) {
       finish("inconclusive", error.message);
     } finally {

@@ -257,6 +257,12 @@ function adapterOf(gl) {
   };
 }
 
+/** What the browser does not say of the renderer: some name the family alone. */
+function hiddenOf({isMasked, renderer}) {
+  if (isMasked) return ["renderer"];
+  return String(renderer).endsWith("or similar") ? ["which renderer of its family"] : [];
+}
+
 /** Whether a viewport is taken that begins left of and below the target. */
 function takesCentred(gl, reach) {
   gl.viewport(-reach, -reach, 2 * reach, 2 * reach);
@@ -290,7 +296,7 @@ export async function open({viewport, format, plant = {}} = {}) {
     api: "webgl2",
     adapter,
     limits: {maxViewport: bounds, maxSamples: most[0] ?? 1, format: chosen.name},
-    hidden: ["sample places", ...(adapter.isMasked ? ["renderer"] : [])],
+    hidden: ["sample places", ...hiddenOf(adapter)],
     samples: most.includes(4) ? [1, 4] : [1],
     subpixelBits: gl.getParameter(gl.SUBPIXEL_BITS),
     largestTarget: powerBelow(side),

@@ -11,6 +11,9 @@ const SEVEN_BITS = "p.x = round(p.x / unit * 128.0) / 128.0 * unit;";
 /* One rounding instead of two on one side of an edge, made large enough to be seen at 4 bits. */
 const FUSED = "p.x = (p.x / unit + 0.0001) * unit;";
 
+/* A pixel of a viewport up to 2048 is larger than this in clip space. */
+const SMALL_ONES = "if (unit > 0.0009) { p.x = round(p.x / unit * 8.0) / 8.0 * unit; }";
+
 /** @returns {Object<string, import("../../../web/page/drawer.mjs").Plant>} */
 export function plants(language) {
   const text = (glsl) => language === "wgsl" ? glsl.replaceAll("float(", "f32(") : glsl;
@@ -26,6 +29,8 @@ export function plants(language) {
     "one-side-fused": {
       passes: () => [{select: everyOther(0)}, {select: everyOther(1), position: FUSED}],
     },
+    // Legal: drivers do so.
+    "coarse-in-small-viewports": {passes: () => [{position: SMALL_ONES}]},
     "seven-bits": {passes: () => [{position: SEVEN_BITS}]},
     "second-sample-misplaced": {
       passes: (_, {samples = 1}) => samples === 1 ? [{}] : [

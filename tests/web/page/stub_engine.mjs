@@ -6,6 +6,7 @@
 import {covers, edgesAt, fraction, scaled} from "./exact.mjs";
 
 const SIDE = 16;
+const MODEL_CASES = 60;
 const PLACES = {1: [[8, 8]], 4: [[6, 2], [14, 6], [2, 10], [10, 14]]};
 const MODELS = [4, 5, 6, 7, 8].flatMap((bits) => [
   {bits, form: "float32(x - 1/2)"}, {bits, form: "x"},
@@ -164,13 +165,14 @@ export class Engine {
     return new Engine();
   }
 
-  open({profile, cases = 1000, seed = 1, subject}) {
+  /** Without a property the model alone is looked for. */
+  open({profile, cases = MODEL_CASES, seed = 1, subject}) {
     this.#asked = {profile, cases, seed, subject: subject?.name ?? "subject"};
   }
 
   next() {
     const {cases, seed, profile} = this.#asked;
-    const samples = profile.endsWith("-4x") ? 4 : 1;
+    const samples = /-4x?$/.test(profile.sample_locations ?? profile) ? 4 : 1;
     const {done, failure} = this.#state;
     const count = failure ? 0 : Math.min(10, cases - done);
     this.#round = Array.from({length: count}, (_, k) => mesh(seed, done + k, samples));

@@ -187,6 +187,7 @@ function showFailure({message, clause, pixel, sample, expected, actual, ...failu
 
 /** The model in a viewport of each size, and whether the size matters. */
 function showModels(models) {
+  if (models.length === 0) return;
   const words = models.map(({model, text}) => {
     return model ? parts.compare.modelWords(model) : text ?? "no model explains what was drawn";
   });

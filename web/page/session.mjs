@@ -2,8 +2,8 @@
  * A run: opens a drawer, has it prove itself, and takes draws from the engine to it. It lives in
  * the worker, or in the page where a worker has no GPU, and speaks by messages.
  *
- * In: {type: "start", api, samples, cases, seed, [properties], [saved], [plant]}, "pause", "go",
- * "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
+ * In: {type: "start", api, samples, cases, seed, [properties], [infer], [saved], [plant]},
+ * "pause", "go", "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
  * {done, of, draws, milliseconds} and "saved" {bytes} in turn, "again" when the cases are judged,
  * and at last "stopped" {bytes} or "done" {outcome, reason, result, models, losses, pauses, draws,
  * milliseconds, bytes, picture}. models: {side, model, text} of viewports of two sizes, in pixels.
@@ -155,11 +155,11 @@ class Session {
   }
 
   #openEngine() {
-    const {api, samples, cases, seed, properties, saved} = this.#asked;
+    const {api, samples, cases, seed, properties, infer = true, saved} = this.#asked;
     const profile = PROFILES[api] + (samples > 1 ? `-${samples}x` : "");
     const shrink = MOST_SHRINKING;
     this.#engine.open({
-      subject: this.#subject(), profile, cases, seed, shrink, infer: true,
+      subject: this.#subject(), profile, cases, seed, shrink, infer,
       ...(properties && {properties}),
     });
     if (saved) this.#engine.load(saved);
@@ -173,7 +173,8 @@ class Session {
 
   /** The model in viewports of two sizes; null if stopped. */
   async #models({subjects: [{model, model_text: text}]}) {
-    const {api, samples, seed} = this.#asked;
+    const {api, samples, seed, infer = true} = this.#asked;
+    if (!infer) return [];
     const {kind, reach} = this.#drawer.info.viewport;
     const models = [{side: 2 * reach, model, text}];
     const isOther = kind === "centred" ? reach > SMALL_REACH : reach < SMALL_REACH;

@@ -92,6 +92,81 @@ class BenchTablesTest(unittest.TestCase):
         self.assertEqual(list(check.claims("half: 0.4 of its time")), [(1, "4 of its time")])
 
 
+class BenchModelTest(unittest.TestCase):
+    """A machine of known costs: 0.2 ns an instruction, 3 a span, 0.5 a byte."""
+
+    COSTS = (0.2, 3.0, 0.5)
+
+    def setUp(self):
+        self.script = load("bench_model")
+        self.cells = [{"family": f"f{f}", "method": name, "terms": terms,
+                       "time": sum(c * t for c, t in zip(self.COSTS, terms))}
+                      for f in range(5) for name, terms in (
+                          ("kernel-exact", (100 + 13 * f * f, 2 + f, 7 * f)),
+                          ("kernel-scanline", (90 + 20 * f, 1 + f, 9 * f)))]  # fmt: skip
+
+    def test_the_costs_of_a_machine_are_found_again(self):
+        for found, cost in zip(self.script.fitted(self.cells), self.COSTS):
+            self.assertAlmostEqual(found, cost, places=6)
+        for cell in self.script.cross_validated(self.cells):
+            self.assertAlmostEqual(cell["error"], 0, places=6)
+
+    def test_a_cost_below_zero_is_left_out(self):
+        for cell in self.cells:
+            cell["time"] = 0.2 * cell["terms"][0] - 0.1 * cell["terms"][1]
+        self.assertGreaterEqual(min(self.script.fitted(self.cells)), 0)
+
+    def test_what_takes_longer_than_its_terms_say_is_not_told(self):
+        self.cells[3]["time"] *= 1.5
+        cells = self.script.cross_validated(self.cells)
+        self.assertLess(cells[3]["error"], -0.15)
+        lines = "\n".join(self.script.report(cells))
+        self.assertIn(": not told", lines)
+        self.assertIn("`f1`: ", lines)
+        self.assertIn("not told by what is counted", lines)
+
+    def test_a_family_is_not_predicted_by_itself(self):
+        slow = [cell for cell in self.cells if cell["family"] == "f4"]
+        for cell in slow:
+            cell["time"] *= 2
+        self.script.cross_validated(self.cells)
+        for cell in slow:
+            self.assertAlmostEqual(cell["error"], -0.5, places=6)
+
+
+class LinkOrdersTest(unittest.TestCase):
+    def setUp(self):
+        self.script = load("link_orders")
+
+    def test_archives_change_places_and_nothing_is_lost(self):
+        words = ["g++", "main.o", "-o", "rasterproof", "a.a", "b.a", "/x.a", "c.a", "d.a"]
+        orders = [self.script.relinked(words, order, "out") for order in range(3)]
+        archives = [[word for word in order if word.endswith(".a") and word != "/x.a"]
+                    for order in orders]  # fmt: skip
+        self.assertEqual(archives, [["a.a", "b.a", "c.a", "d.a"], ["d.a", "c.a", "b.a", "a.a"],
+                                    ["c.a", "d.a", "a.a", "b.a"]])  # fmt: skip
+        for order in orders:
+            self.assertEqual(order[:4], ["g++", "main.o", "-o", "out"])
+            self.assertEqual(order[-1], "/x.a")
+
+    def test_two_orders_that_give_one_program_are_refused(self):
+        with tempfile.TemporaryDirectory() as root:
+            same, again, other = (pathlib.Path(root) / name for name in "abc")
+            for path, text in ((same, "x"), (again, "x"), (other, "y")):
+                path.write_text(text, encoding="utf-8")
+            self.script.require_different([same, other])
+            self.assertRaises(SystemExit, self.script.require_different, [same, other, again])
+
+    def test_a_cell_that_moves_is_named(self):
+        still = {("f", "a", "avx2", "mask"): (10, 1), ("f", "b", "avx2", "mask"): (20, 2)}
+        moved = {**still, ("f", "b", "avx2", "mask"): (24, 2.4)}
+        found = self.script.spreads([still, moved, still], 0)
+        self.assertEqual([cell[1] for _, cell, _ in found], ["b", "a"])
+        self.assertAlmostEqual(found[0][0], 1.2)
+        lines = "\n".join(self.script.told([still, moved, still]))
+        self.assertIn("1.200  f b avx2 mask: 20, 24, 20", lines)
+
+
 class ShownCommandsTest(unittest.TestCase):
     def setUp(self):
         self.script = load("check_readme")

@@ -20,7 +20,7 @@ using kernels::Sink;
 using kernels::Target;
 
 // A table is as long as the list.
-static_assert(sizeof(RivalTable) == kRivals.size() * sizeof(kernels::KernelFunction[5]));
+static_assert(sizeof(RivalTable::draw) == kRivals.size() * sizeof(kernels::KernelFunction[5]));
 
 // Nothing for an instruction set that rivals are not compiled for.
 const RivalTable* TableOf(Target target) {
@@ -36,6 +36,20 @@ kernels::KernelFunction FunctionOf(const Rival& rival, Target target, Sink sink)
   const auto row = static_cast<std::size_t>(std::ranges::find(kRivals, rival) - kRivals.begin());
   if (table == nullptr || row == kRivals.size()) return nullptr;
   return table->draw[row][static_cast<std::size_t>(sink)];
+}
+
+void RequireDrawn(bool is_drawn, const std::string& name, Target target,
+                  const kernels::Surface& surface, int width, int height) {
+  const auto targets = kernels::SupportedTargets();
+  if (!is_drawn || std::ranges::find(targets, target) == targets.end()) {
+    throw InputError("rival " + name,
+                     "it does not draw into the sink " + std::string(NameOf(surface.sink())) +
+                         " by " + std::string(NameOf(target)),
+                     "ask Draws() first");
+  }
+  if (surface.width() != width || surface.height() != height) {
+    throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
+  }
 }
 
 // Of the rivals that were kernels before there was a frame, which subjects are called by.
@@ -107,19 +121,26 @@ Target WidestTarget() {
   return widest;
 }
 
+bool DrawsHomogeneous(Target target, Sink sink) {
+  const RivalTable* const table = TableOf(target);
+  return table != nullptr && table->homogeneous[static_cast<std::size_t>(sink)] != nullptr;
+}
+
+void DrawHomogeneous(Target target, const kernels::ClipScene& scene, kernels::Surface& surface) {
+  const bool is_drawn = DrawsHomogeneous(target, surface.sink());
+  RequireDrawn(is_drawn, std::string(kHomogeneous), target, surface, scene.width, scene.height);
+  if (scene.near_plane != kernels::NearPlane::kNone) {
+    throw InputError("scene", "this rival knows no near plane", "give kNone");
+  }
+  kernels::KernelView view = kernels::ViewOf(scene);
+  kernels::Attach(surface, view);
+  TableOf(target)->homogeneous[static_cast<std::size_t>(surface.sink())](view);
+}
+
 void Draw(const Rival& rival, Target target, const kernels::KernelScene& scene,
           kernels::Surface& surface) {
-  const auto targets = kernels::SupportedTargets();
   const kernels::KernelFunction draw = FunctionOf(rival, target, surface.sink());
-  if (draw == nullptr || std::ranges::find(targets, target) == targets.end()) {
-    throw InputError("rival " + NameOf(rival),
-                     "it does not draw into the sink " + std::string(NameOf(surface.sink())) +
-                         " by " + std::string(NameOf(target)),
-                     "ask Draws() first");
-  }
-  if (surface.width() != scene.width || surface.height() != scene.height) {
-    throw InputError("surface", "its size is not the scene's", "make one of the scene's size");
-  }
+  RequireDrawn(draw != nullptr, NameOf(rival), target, surface, scene.width, scene.height);
   kernels::KernelView view = kernels::ViewOf(scene);
   kernels::Attach(surface, view);
   std::vector<std::uint32_t> words;

@@ -102,6 +102,19 @@ kernels::Target WidestTarget();
 void Draw(const Rival& rival, kernels::Target target, const kernels::KernelScene& scene,
           kernels::Surface& surface);
 
+/// The rival of clip space: homogeneous edges in float32, spans between their crossings with the
+/// rows; nothing divided by w. It skips triangles whose determinant is 0 or overflows.
+inline constexpr std::string_view kHomogeneous = "spans-hom-f32";
+/// kMask and kFacing, by the instruction sets of the others.
+bool DrawsHomogeneous(kernels::Target target, kernels::Sink sink);
+
+/// As Draw().
+///
+/// Domain:     DrawsHomogeneous(target, surface.sink()); a scene without a near plane. InputError
+///             otherwise.
+void DrawHomogeneous(kernels::Target target, const kernels::ClipScene& scene,
+                     kernels::Surface& surface);
+
 }  // namespace rasterproof::library::rivals
 
 #endif  // RASTERPROOF_LIBRARY_RIVALS_RIVAL_H_

@@ -10,6 +10,7 @@ namespace rasterproof::library::rivals {
 /// By place in kRivals and by Sink; nullptr where there is no such kernel.
 struct RivalTable {
   kernels::KernelFunction draw[17][5];
+  kernels::KernelFunction homogeneous[5];  ///< of clip space, by Sink
 };
 
 extern const RivalTable kScalarRivals;

@@ -7,6 +7,7 @@
 #include "library/kernels/vectors.h"
 #include "library/rivals/fixed_spans.h"
 #include "library/rivals/fixed_tiles.h"
+#include "library/rivals/homogeneous.h"
 #include "library/rivals/incremental.h"
 #include "library/rivals/mask_rows.h"
 #include "library/rivals/rival_table.h"
@@ -25,25 +26,27 @@ namespace rasterproof::library::kernels::HWY_NAMESPACE {
    &Draw<__VA_ARGS__ PixelSink<Depth>>}
 // NOLINTEND(bugprone-macro-parentheses)
 
-constexpr rivals::RivalTable kRivalKernels = {{
-    RASTERPROOF_RIVAL_ROW(DrawIncremental, ),
-    RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kDirect, ),
-    RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kAffine, ),
-    RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kStepped, ),
-    RASTERPROOF_RIVAL_ROW(DrawTiles, double, Form::kDirect, ),
-    RASTERPROOF_RIVAL_ROW(DrawTiles, double, Form::kAffine, ),
-    RASTERPROOF_RIVAL_ROW(DrawTiles, double, Form::kStepped, ),
-    RASTERPROOF_RIVAL_ROW(DrawFixedTiles, true, ),
-    RASTERPROOF_RIVAL_ROW(DrawFixedTiles, false, ),
-    RASTERPROOF_FULL_RIVAL_ROW(DrawSpans, float, Form::kDirect, ),
-    RASTERPROOF_RIVAL_ROW(DrawSpans, float, Form::kAffine, ),
-    RASTERPROOF_RIVAL_ROW(DrawSpans, float, Form::kStepped, ),
-    RASTERPROOF_FULL_RIVAL_ROW(DrawSpans, double, Form::kDirect, ),
-    RASTERPROOF_RIVAL_ROW(DrawSpans, double, Form::kAffine, ),
-    RASTERPROOF_RIVAL_ROW(DrawSpans, double, Form::kStepped, ),
-    RASTERPROOF_RIVAL_ROW(DrawFixedSpans, ),
-    {nullptr, nullptr, &DrawMaskRows, nullptr, nullptr},
-}};
+constexpr rivals::RivalTable kRivalKernels = {
+    {
+        RASTERPROOF_RIVAL_ROW(DrawIncremental, ),
+        RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kDirect, ),
+        RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kAffine, ),
+        RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kStepped, ),
+        RASTERPROOF_RIVAL_ROW(DrawTiles, double, Form::kDirect, ),
+        RASTERPROOF_RIVAL_ROW(DrawTiles, double, Form::kAffine, ),
+        RASTERPROOF_RIVAL_ROW(DrawTiles, double, Form::kStepped, ),
+        RASTERPROOF_RIVAL_ROW(DrawFixedTiles, true, ),
+        RASTERPROOF_RIVAL_ROW(DrawFixedTiles, false, ),
+        RASTERPROOF_FULL_RIVAL_ROW(DrawSpans, float, Form::kDirect, ),
+        RASTERPROOF_RIVAL_ROW(DrawSpans, float, Form::kAffine, ),
+        RASTERPROOF_RIVAL_ROW(DrawSpans, float, Form::kStepped, ),
+        RASTERPROOF_FULL_RIVAL_ROW(DrawSpans, double, Form::kDirect, ),
+        RASTERPROOF_RIVAL_ROW(DrawSpans, double, Form::kAffine, ),
+        RASTERPROOF_RIVAL_ROW(DrawSpans, double, Form::kStepped, ),
+        RASTERPROOF_RIVAL_ROW(DrawFixedSpans, ),
+        {nullptr, nullptr, &DrawMaskRows, nullptr, nullptr},
+    },
+    {nullptr, &DrawHomogeneous<PixelSink<Facing>>, &DrawHomogeneous<MaskSink>, nullptr, nullptr}};
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE
 

@@ -9,7 +9,9 @@
 //   stepped  c + (y - y') s, where c is the direct one of the edge's first row, at y'
 // rounded up and kept within the box; in float64 each sum with its product is fused. The row's span
 // lies between its two crossings, half-open: so top-left without a test. Both triangles at an edge
-// compute the same numbers: watertight.
+// compute the same numbers, from its sorted ends, and keep them within their own boxes: a crossing
+// rounded beyond the edge's lower end leaves a pixel to neither. Of float32 that happens, and none
+// was seen in float64 (rivals_test).
 #ifndef RASTERPROOF_LIBRARY_RIVALS_SPANS_H_
 #define RASTERPROOF_LIBRARY_RIVALS_SPANS_H_
 

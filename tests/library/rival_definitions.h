@@ -320,6 +320,55 @@ inline Covered FixedSpans(const KernelTriangle& t, int width, int height) {
   return covered;
 }
 
+/// The rival of clip space.
+inline Covered Homogeneous(const std::array<kernels::ClipVertex, 3>& v, int width, int height) {
+  Covered covered;
+  std::array<float, 3> a{}, b{}, c{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const kernels::ClipVertex& i = v[k];
+    const kernels::ClipVertex& j = v[(k + 1) % 3];
+    a[k] = j.y * i.w - j.w * i.y;
+    b[k] = j.w * i.x - j.x * i.w;
+    c[k] = j.x * i.y - j.y * i.x;
+  }
+  const float area = (a[0] * v[2].x + b[0] * v[2].y) + c[0] * v[2].w;
+  if (!(std::abs(area) > 0) || std::isinf(area)) return covered;
+  covered.is_front = area > 0;
+  const float sign = covered.is_front ? 1 : -1;
+  const auto [least_w, most_w] = std::minmax({v[0].w, v[1].w, v[2].w});
+  if (!(most_w > 0)) return covered;
+  int x0 = 0, y0 = 0, x1 = width, y1 = height;
+  if (least_w > 0) {
+    const std::array<float, 3> x{v[0].x / v[0].w, v[1].x / v[1].w, v[2].x / v[2].w};
+    const std::array<float, 3> y{v[0].y / v[0].w, v[1].y / v[1].w, v[2].y / v[2].w};
+    x0 = FirstCentreFrom(std::ranges::min(x), width);
+    x1 = FirstCentreFrom(std::ranges::max(x), width);
+    y0 = FirstCentreFrom(std::ranges::min(y), height);
+    y1 = FirstCentreFrom(std::ranges::max(y), height);
+  }
+  for (int row = y0; row < y1; ++row) {
+    int first = x0, last = x1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (a[k] != 0) {
+        const float at = std::ceil((-(c[k] / a[k]) - 0.5F) + Centre<float>(row) * -(b[k] / a[k]));
+        const int column =
+            std::isnan(at)
+                ? x0
+                : static_cast<int>(std::clamp(at, static_cast<float>(x0), static_cast<float>(x1)));
+        (a[k] > 0) == covered.is_front ? first = std::max(first, column)
+                                       : last = std::min(last, column);
+        continue;
+      }
+      const int cut = FirstCentreFrom(-(c[k] / b[k]), height);
+      const float down = sign * b[k];
+      const bool inside = down > 0 ? row >= cut : down < 0 ? row < cut : sign * c[k] > 0;
+      if (!inside) last = first;
+    }
+    for (int x = first; x < last; ++x) covered.pixels.emplace_back(x, row);
+  }
+  return covered;
+}
+
 }  // namespace definitions
 
 template <class T>

@@ -50,7 +50,8 @@ class Twin final : public Contender {
   void Load(const FamilyInput& family) override { same_->Load(family); }
   DrawTime Draw() override { return same_->Draw(); }
   DrawTime DrawForNothing() override { return same_->DrawForNothing(); }
-  std::optional<CoverageCounts> Drawn() override { return same_->Drawn(); }
+  bool NeedsClearing() const override { return same_->NeedsClearing(); }
+  bool MoveDrawn(CoverageCounts& to) override { return same_->MoveDrawn(to); }
   bool DrawsAlone() const override { return false; }
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override {
@@ -76,7 +77,7 @@ struct Run {
 
 // Draws once for nothing, unless that takes long, then measures.
 void Measure(Run& run) {
-  constexpr double kLong = 0.25;
+  constexpr double kLong = 5e-3;
   const double begun = WallSeconds();
   const DrawTime first =
       run.seconds_each > kLong ? DrawTime{.seconds = kLong} : run.contender->DrawForNothing();
@@ -86,7 +87,7 @@ void Measure(Run& run) {
   }
   DrawTime sum;
   for (int draw = 0; draw < run.draws; ++draw) {
-    const DrawTime time = run.contender->Draw();
+    const DrawTime time = run.contender->DrawTimed();
     sum.seconds += time.seconds;
     sum.wall_seconds += time.wall_seconds;
   }
@@ -105,11 +106,14 @@ void MeasureUnlessItFails(Run& run) {
   }
 }
 
-// Whose single measurement takes long measures in as many as there is time for.
-std::size_t RoundsOf(const Run& run, double seconds) {
+// Whose measurements take more than `share` seconds in all does not take part beyond the least
+// number of rounds; whose single one takes long, in as many as `seconds` leave time for.
+std::size_t RoundsOf(const Run& run, double seconds, double share, std::size_t least) {
   constexpr double kSlow = 1;
-  if (run.seconds_each < kSlow) return std::numeric_limits<std::size_t>::max();
-  return static_cast<std::size_t>(std::max(1.0, seconds / run.seconds_each));
+  const auto rounds = [&](double of) {
+    return static_cast<std::size_t>(std::clamp(of / run.seconds_each, 1.0, 1e6));
+  };
+  return run.seconds_each < kSlow ? std::max(least, rounds(share)) : rounds(seconds);
 }
 
 std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options, double seconds) {
@@ -123,7 +127,8 @@ std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options,
       if (rounds < runs[k].rounds && runs[k].failure.empty()) MeasureUnlessItFails(runs[k]);
     }
     if (rounds++ > 0) continue;
-    for (Run& run : runs) run.rounds = RoundsOf(run, seconds);
+    const double share = seconds / static_cast<double>(runs.size());
+    for (Run& run : runs) run.rounds = RoundsOf(run, seconds, share, options.least_rounds);
   }
   return rounds;
 }
@@ -132,16 +137,20 @@ std::size_t MeasureInRounds(std::vector<Run>& runs, const BenchOptions& options,
 class WholeScene {
  public:
   explicit WholeScene(const Scene& scene) : scene_(scene) {}
-  std::uint64_t WrongSamples(const CoverageCounts& drawn, const Profile& model) {
+  // Of what the contender drew last; nothing of a sink that keeps no counts.
+  std::optional<std::uint64_t> WrongSamples(Contender& contender) {
+    if (!contender.MoveDrawn(drawn_)) return std::nullopt;
+    const Profile& model = contender.model();
     for (const auto& [known, counts] : known_) {
-      if (SameModel(known, model)) return Compare(drawn, counts).wrong;
+      if (SameModel(known, model)) return Compare(drawn_, counts).wrong;
     }
-    return Compare(drawn, known_.emplace_back(model, exact::Coverage(scene_, model)).second).wrong;
+    return Compare(drawn_, known_.emplace_back(model, exact::Coverage(scene_, model)).second).wrong;
   }
 
  private:
   const Scene& scene_;
   std::list<std::pair<Profile, CoverageCounts>> known_;
+  CoverageCounts drawn_;
 };
 
 std::uint32_t IndexOf(const std::vector<Run>& runs, std::string_view name) {
@@ -163,9 +172,7 @@ BenchRow JudgedRow(Run& run, const FamilyInput& family, WholeScene& whole, Cover
   const double begun = WallSeconds();
   contender.Draw();
   run.seconds_each = WallSeconds() - begun;
-  if (const auto drawn = contender.Drawn()) {
-    row.drawing_wrong = whole.WrongSamples(*drawn, contender.model());
-  }
+  row.drawing_wrong = whole.WrongSamples(contender);
   if (contender.DrawsAlone()) {
     const Judgement& judgement = judge.Of(contender);
     row.real = judgement.real;
@@ -189,24 +196,33 @@ void AddTimes(const Run& run, const Run& base, const BenchFamily& described, Ben
   row.binds_at_store = row.time.median < 2 * stored;
 }
 
+enum class RivalChoice : std::uint8_t { kNone, kFew, kAll };
+
+bool IsAsked(const library::rivals::Rival& rival, RivalChoice choice) {
+  const std::string name = NameOf(rival);
+  const bool is_among_few = name.starts_with("kernel-") || name == "spans-f64";
+  return choice == RivalChoice::kAll || (choice == RivalChoice::kFew && is_among_few);
+}
+
 // All that draw by vectors, and their floor.
-void AddKernels(kernels::Target target, kernels::Sink sink, bool has_all_rivals,
+void AddKernels(kernels::Target target, kernels::Sink sink, RivalChoice choice,
                 std::vector<std::unique_ptr<Contender>>& contenders) {
   for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
     contenders.push_back(MakeKernelContender(kernel, target, sink));
   }
   for (const library::rivals::Rival& rival : library::rivals::kRivals) {
-    const std::string name = NameOf(rival);
-    const bool is_among_few = name.starts_with("kernel-") || name == "spans-f64";
-    if (!Draws(rival, target, sink) || !(has_all_rivals || is_among_few)) continue;
+    if (!Draws(rival, target, sink) || !IsAsked(rival, choice)) continue;
     contenders.push_back(MakeRivalContender(rival, target, sink));
   }
   contenders.push_back(MakeClipContender(target, sink));
   contenders.push_back(MakeDividedContender(kernels::KernelMethod::kExact, target, sink));
   const library::rivals::Rival scanline{library::rivals::Traversal::kSpans,
                                         library::rivals::Arithmetic::kFloat32Direct};
-  if (Draws(scanline, target, sink)) {
+  if (choice != RivalChoice::kNone && Draws(scanline, target, sink)) {
     contenders.push_back(MakeDividedContender(scanline, target, sink));
+  }
+  if (choice != RivalChoice::kNone && library::rivals::DrawsHomogeneous(target, sink)) {
+    contenders.push_back(MakeHomogeneousContender(target, sink));
   }
   contenders.push_back(MakeFloorContender(target, sink));
 }
@@ -243,7 +259,12 @@ std::vector<std::unique_ptr<Contender>> OwnContenders(ContenderChoice choice,
     for (const kernels::Sink sink : kernels::kSinks) {
       const bool is_quick = sink == kernels::Sink::kFacing || sink == kernels::Sink::kMask;
       if (!is_full && !is_quick) continue;
-      AddKernels(each, sink, choice != ContenderChoice::kFew, contenders);
+      // Of rivals by kScalar no time is taken: they are compiled to be compared with.
+      const bool is_timed = target || each != kernels::Target::kScalar;
+      const RivalChoice rivals = !is_timed                         ? RivalChoice::kNone
+                                 : choice == ContenderChoice::kFew ? RivalChoice::kFew
+                                                                   : RivalChoice::kAll;
+      AddKernels(each, sink, rivals, contenders);
     }
   }
   return contenders;

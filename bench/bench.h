@@ -48,7 +48,7 @@ enum class ContenderChoice : std::uint8_t {
   kFew,
   /// Every method; kernels by the widest vectors into counts and masks.
   kQuick,
-  /// Every method; kernels by every instruction set into every sink.
+  /// Every method; kernels by every instruction set into every sink, rivals by those with vectors.
   kFull
 };
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "bench/exact_triangles.h"
+#include "bench/shared_target.h"
 #include "core/clock.h"
 #include "core/coverage.h"
 #include "core/draw_options.h"
@@ -68,10 +69,18 @@ class MethodContender final : public Contender {
 
   void Load(const FamilyInput& family) override {
     family_ = &family;
-    counts_ = CoverageCounts(family.scene.width, family.scene.height);
+    const int width = family.scene.width;
+    const int height = family.scene.height;
+    static thread_local SharedTarget<CoverageCounts> shared;
+    counts_ = shared.Of(
+        [&](const CoverageCounts& counts) {
+          return counts.width == width && counts.height == height;
+        },
+        [&] { return CoverageCounts(width, height); });
+    Clear();
     alone_ = Scene{.name = family.scene.name,
-                   .width = family.scene.width,
-                   .height = family.scene.height,
+                   .width = width,
+                   .height = height,
                    .precision = family.scene.precision,
                    .clip_space = family.scene.clip_space,
                    .vertices = std::vector<Vertex>(3),
@@ -79,30 +88,35 @@ class MethodContender final : public Contender {
   }
 
   DrawTime Draw() override {
-    std::ranges::fill(counts_.front, 0);
-    std::ranges::fill(counts_.back, 0);
+    Clear();
     return DrawForNothing();
   }
+  bool NeedsClearing() const override { return false; }
 
   DrawTime DrawForNothing() override {
-    return Timed([&] { reference::Rasterize(family_->scene, row_, {}, counts_); });
+    return Timed([&] { reference::Rasterize(family_->scene, row_, {}, *counts_); });
   }
 
-  std::optional<CoverageCounts> Drawn() override {
-    return std::exchange(counts_, CoverageCounts(counts_.width, counts_.height));
+  bool MoveDrawn(CoverageCounts& to) override {
+    if (to.size() != counts_->size()) to = CoverageCounts(counts_->width, counts_->height);
+    to.width = counts_->width;
+    to.height = counts_->height;
+    std::swap(to, *counts_);
+    Clear();
+    return true;
   }
 
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override {
     const auto corners = Corners(family_->scene, family_->scene.triangles[triangle]);
     std::ranges::copy(corners, alone_.vertices.begin());
-    reference::Rasterize(alone_, row_, {}, counts_);
+    reference::Rasterize(alone_, row_, {}, *counts_);
     std::size_t at = 0;
     for (int y = area.y0; y < area.y1; ++y) {
       for (int x = area.x0; x < area.x1; ++x) {
-        const std::size_t i = counts_.Index(x, y);
-        box[at++] = counts_.Count(i) != 0 ? 1 : 0;
-        counts_.front[i] = counts_.back[i] = 0;
+        const std::size_t i = counts_->Index(x, y);
+        box[at++] = counts_->Count(i) != 0 ? 1 : 0;
+        counts_->front[i] = counts_->back[i] = 0;
       }
     }
   }
@@ -112,14 +126,14 @@ class MethodContender final : public Contender {
                                        const PixelRect& /*target*/, Pixel at) override {
     reference::RasterOptions options;
     options.scissor = PixelRect{at.x, at.y, at.x + 1, at.y + 1};
-    const std::size_t i = counts_.Index(at.x, at.y);
+    const std::size_t i = counts_->Index(at.x, at.y);
     std::vector<std::uint8_t> covered;
     for (const std::size_t triangle : triangles) {
       const auto corners = Corners(family_->scene, family_->scene.triangles[triangle]);
       std::ranges::copy(corners, alone_.vertices.begin());
-      reference::Rasterize(alone_, row_, options, counts_);
-      covered.push_back(counts_.Count(i) != 0 ? 1 : 0);
-      counts_.front[i] = counts_.back[i] = 0;
+      reference::Rasterize(alone_, row_, options, *counts_);
+      covered.push_back(counts_->Count(i) != 0 ? 1 : 0);
+      counts_->front[i] = counts_->back[i] = 0;
     }
     return covered;
   }
@@ -146,15 +160,20 @@ class MethodContender final : public Contender {
 
   std::uint64_t LeftBehind() override {
     std::uint64_t left = 0;
-    for (std::size_t i = 0; i < counts_.size(); ++i) left += counts_.Count(i) != 0 ? 1 : 0;
-    if (left != 0) counts_ = CoverageCounts(counts_.width, counts_.height);
+    for (std::size_t i = 0; i < counts_->size(); ++i) left += counts_->Count(i) != 0 ? 1 : 0;
+    if (left != 0) Clear();
     return left;
   }
 
  private:
+  void Clear() {
+    std::ranges::fill(counts_->front, 0);
+    std::ranges::fill(counts_->back, 0);
+  }
+
   const reference::Method& row_;
   const FamilyInput* family_ = nullptr;
-  CoverageCounts counts_;
+  std::shared_ptr<CoverageCounts> counts_;
   Scene alone_;
 };
 

@@ -68,8 +68,12 @@ class Contender {
   /// Draws onto what is there, to have everything at hand for the draw that counts: the target need
   /// not be cleared for that, which costs more than most draws.
   virtual DrawTime DrawForNothing() { return Draw(); }
-  /// What the last Draw() drew, as counts; nothing of sinks that keep no counts.
-  virtual std::optional<CoverageCounts> Drawn() = 0;
+  /// Whether a draw takes another time on what is there than on a cleared target.
+  virtual bool NeedsClearing() const { return true; }
+  /// A draw whose time counts.
+  DrawTime DrawTimed() { return NeedsClearing() ? Draw() : DrawForNothing(); }
+  /// Moves what the last Draw() drew into the counts; false of sinks that keep no counts by facing.
+  virtual bool MoveDrawn(CoverageCounts& to) = 0;
   /// Whether triangles can be drawn alone, so that its decisions are judged one by one.
   virtual bool DrawsAlone() const { return true; }
   /// Whether drawing one takes so long that a part of the triangles is judged.
@@ -125,6 +129,12 @@ std::unique_ptr<Contender> MakeRivalContender(const library::rivals::Rival& riva
 /// Domain:     as MakeKernelContender.
 std::unique_ptr<Contender> MakeClipContender(library::kernels::Target target,
                                              library::kernels::Sink sink);
+
+/// The rival of clip space.
+///
+/// Domain:     DrawsHomogeneous(target, sink).
+std::unique_ptr<Contender> MakeHomogeneousContender(library::kernels::Target target,
+                                                    library::kernels::Sink sink);
 
 /// A kernel of window space, or a rival, after a division by w in float32, done again in each draw.
 ///

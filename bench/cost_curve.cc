@@ -72,7 +72,7 @@ BenchPoint Measured(Contender& contender, const CostPoint& of, std::size_t round
   const auto triangles = static_cast<double>(of.family.scene.triangles.size());
   for (std::size_t round = 0; round < rounds; ++round) {
     double sum = 0;
-    for (int draw = 0; draw < draws; ++draw) sum += contender.Draw().seconds;
+    for (int draw = 0; draw < draws; ++draw) sum += contender.DrawTimed().seconds;
     seconds.push_back(sum / draws / triangles);
   }
   BenchPoint point;

@@ -325,14 +325,15 @@ constexpr std::array kKinds{
 };
 
 // The number of parts of which a quick run draws one.
-constexpr int kQuickPart = 8;
+// 1 / part of a family is drawn, by FamilySize.
+constexpr std::array kParts{8, 2, 1};
 
 }  // namespace
 
 std::span<const FamilyKind> FamilyKinds() { return kKinds; }
 
 FamilyInput MakeFamily(const FamilyKind& kind, FamilySize size, std::uint64_t seed) {
-  Scene scene = kind.make(size == FamilySize::kQuick ? kQuickPart : 1, seed);
+  Scene scene = kind.make(kParts[static_cast<std::size_t>(size)], seed);
   scene.name = kind.name;
   FamilyInput input = FamilyOf(std::move(scene), std::string(kind.summary));
   input.is_random = kind.is_random;

@@ -146,6 +146,25 @@ class ClipContender final : public ClipSpaceContender {
   }
 };
 
+class HomogeneousContender final : public ClipSpaceContender {
+ public:
+  HomogeneousContender(kernels::Target target, kernels::Sink sink)
+      : ClipSpaceContender(target, sink) {
+    method_.name = rivals::kHomogeneous;
+    Describe("crossings of homogeneous edges with rows: float32", "spans", "f32-homogeneous",
+             method_);
+    method_.kind = "float32";
+  }
+
+ protected:
+  void DrawTriangles(std::span<const std::uint32_t> indices, kernels::Surface& surface) override {
+    rivals::DrawHomogeneous(target(),
+                            {family().clip_vertices, indices, surface.width(), surface.height(),
+                             kernels::NearPlane::kNone},
+                            surface);
+  }
+};
+
 // Every draw divides all vertices by their w first, in float32.
 class DividedContender final : public ClipSpaceContender {
  public:
@@ -245,6 +264,10 @@ std::unique_ptr<Contender> MakeRivalContender(const rivals::Rival& rival, kernel
 
 std::unique_ptr<Contender> MakeClipContender(kernels::Target target, kernels::Sink sink) {
   return std::make_unique<ClipContender>(target, sink);
+}
+
+std::unique_ptr<Contender> MakeHomogeneousContender(kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<HomogeneousContender>(target, sink);
 }
 
 std::unique_ptr<Contender> MakeDividedContender(kernels::KernelMethod method,

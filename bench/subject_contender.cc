@@ -61,9 +61,10 @@ class SubjectContender : public Contender {
   }
 
   // Counts without facings have no counterpart in the model's.
-  std::optional<CoverageCounts> Drawn() override {
-    if (subject_.Info().coverage != CoverageKind::kFacingCounts) return std::nullopt;
-    return DrawOne(subject_, Job(scene_)).counts;
+  bool MoveDrawn(CoverageCounts& to) override {
+    if (subject_.Info().coverage != CoverageKind::kFacingCounts) return false;
+    to = DrawOne(subject_, Job(scene_)).counts;
+    return true;
   }
 
   void LimitTime(double seconds) override { most_of_a_family_ = seconds; }

@@ -6,10 +6,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "bench/shared_target.h"
 #include "core/clock.h"
 #include "core/coverage.h"
 #include "library/kernels/kernel.h"
@@ -33,6 +34,19 @@ std::uint64_t BitsOf(kernels::Sink sink) {
   return 0;
 }
 
+namespace {
+
+std::shared_ptr<kernels::Surface> SurfaceOf(kernels::Sink sink, const Scene& scene,
+                                            SharedTarget<kernels::Surface>& shared) {
+  return shared.Of(
+      [&](const kernels::Surface& surface) {
+        return surface.width() == scene.width && surface.height() == scene.height;
+      },
+      [&] { return kernels::Surface(sink, scene.width, scene.height); });
+}
+
+}  // namespace
+
 SurfaceContender::SurfaceContender(kernels::Target target, kernels::Sink sink)
     : target_(target), sink_(sink) {
   method_.target = NameOf(target);
@@ -42,7 +56,8 @@ SurfaceContender::SurfaceContender(kernels::Target target, kernels::Sink sink)
 
 void SurfaceContender::Load(const FamilyInput& family) {
   family_ = &family;
-  surface_.emplace(sink_, family.scene.width, family.scene.height);
+  static thread_local std::array<SharedTarget<kernels::Surface>, kernels::kSinks.size()> shared;
+  surface_ = SurfaceOf(sink_, family.scene, shared[static_cast<std::size_t>(sink_)]);
   alone_.reset();
   Prepare();
 }
@@ -59,25 +74,36 @@ DrawTime SurfaceContender::DrawForNothing() {
   });
 }
 
-std::optional<CoverageCounts> SurfaceContender::Drawn() {
-  if (sink_ != kernels::Sink::kFacing) return std::nullopt;
-  CoverageCounts counts(surface_->width(), surface_->height());
-  for (int y = 0; y < surface_->height(); ++y) {
-    for (int x = 0; x < surface_->width(); ++x) {
-      const std::uint64_t both = surface_->At(x, y);
-      const std::size_t i = counts.Index(x, y);
-      counts.front[i] = static_cast<std::uint32_t>(both);
-      counts.back[i] = static_cast<std::uint32_t>(both >> 32);
+// Counts add up the same on any others; what others hold is compared with.
+bool SurfaceContender::NeedsClearing() const {
+  return sink_ != kernels::Sink::kFacing && sink_ != kernels::Sink::kCount8;
+}
+
+bool SurfaceContender::MoveDrawn(CoverageCounts& to) {
+  if (sink_ != kernels::Sink::kFacing) return false;
+  const int width = surface_->width();
+  const int height = surface_->height();
+  if (to.size() != CoverageCounts::Size(width, height, 1)) to = CoverageCounts(width, height);
+  to.width = width;
+  to.height = height;
+  for (int y = 0; y < height; ++y) {
+    for (const int facing : {0, 1}) {
+      const auto* const row =
+          reinterpret_cast<const std::uint32_t*>(surface_->plane(facing)) + y * surface_->pitch();
+      std::copy_n(row, width, (facing == 0 ? to.front : to.back).data() + to.Index(0, y));
     }
   }
-  surface_->Clear();
-  return counts;
+  return true;
 }
 
 // By every instruction set and into every sink the same: tests/library/kernels_test.cc.
 void SurfaceContender::DrawAlone(std::size_t triangle, const PixelRect& area,
                                  std::vector<std::uint8_t>& box) {
-  if (!alone_) alone_.emplace(kernels::Sink::kFacing, surface_->width(), surface_->height());
+  if (alone_ == nullptr) {
+    static thread_local SharedTarget<kernels::Surface> shared;
+    alone_ = SurfaceOf(kernels::Sink::kFacing, family_->scene, shared);
+    alone_->Clear();
+  }
   DrawTriangles(IndicesOf(triangle), *alone_);
   std::uint8_t* to = box.data();
   for (int y = area.y0; y < area.y1; ++y) {
@@ -122,7 +148,12 @@ std::uint64_t SurfaceContender::LeftBehind() {
   std::uint64_t left = 0;
   if (!alone_) return left;
   for (int y = 0; y < alone_->height(); ++y) {
-    for (int x = 0; x < alone_->width(); ++x) left += alone_->At(x, y) != 0 ? 1 : 0;
+    std::array<const std::uint32_t*, 2> rows{};
+    for (const int facing : {0, 1}) {
+      rows[static_cast<std::size_t>(facing)] =
+          reinterpret_cast<const std::uint32_t*>(alone_->plane(facing)) + y * alone_->pitch();
+    }
+    for (int x = 0; x < alone_->width(); ++x) left += (rows[0][x] | rows[1][x]) != 0 ? 1 : 0;
   }
   alone_.reset();
   return left;

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -26,7 +26,8 @@ class SurfaceContender : public Contender {
   void Load(const FamilyInput& family) override;
   DrawTime Draw() override;
   DrawTime DrawForNothing() override;
-  std::optional<CoverageCounts> Drawn() override;
+  bool NeedsClearing() const override;
+  bool MoveDrawn(CoverageCounts& to) override;
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override;
   std::vector<std::uint8_t> CoverAlone(std::span<const std::size_t> triangles,
@@ -54,8 +55,8 @@ class SurfaceContender : public Contender {
   library::kernels::Target target_;
   library::kernels::Sink sink_;
   const FamilyInput* family_ = nullptr;
-  std::optional<library::kernels::Surface> surface_;
-  std::optional<library::kernels::Surface> alone_;
+  std::shared_ptr<library::kernels::Surface> surface_;
+  std::shared_ptr<library::kernels::Surface> alone_;
 };
 
 }  // namespace rasterproof::bench

@@ -261,7 +261,7 @@ struct BenchSetting {
   std::string command;
   std::string date;
   std::uint64_t seed = 0;
-  bool is_quick = false;  ///< families of an eighth of their size
+  bool is_quick = false;  ///< families of an eighth of their size, otherwise half
   /// How many processes wanted a processor, a mean over a minute, as the run began and ended. NaN:
   /// not said.
   double load_before = std::numeric_limits<double>::quiet_NaN();

@@ -71,6 +71,8 @@ constexpr std::array kClaims{
           InClipSpace("exact"), Trait::kArithmetic},
     Claim{"divided-floats", "Divide by w, then float32", InClipSpace("f32-divided, then f32"),
           InClipSpace("exact"), Trait::kArithmetic},
+    Claim{"homogeneous", "Homogeneous float32", InClipSpace("f32-homogeneous"),
+          InClipSpace("exact"), Trait::kArithmetic},
     Claim{"textbook-doubles",
           "Doubles as a scalar textbook loop, not a kernel",
           Loop("f64-direct"),

@@ -112,10 +112,12 @@ TEST(RunFamily, LeavesOutWhatDoesNotDrawTheFamilyAndSaysWhy) {
 
 TEST(RunFamily, DrawsClipSpaceByItsKernel) {
   const BenchResult result =
-      RunOnce("perspective", {"kernel-clip", "divided-exact", "divided-scanline", "spans-known"});
+      RunOnce("perspective",
+              {"kernel-clip", "divided-exact", "divided-scanline", "spans-known", "spans-hom-f32"});
   EXPECT_EQ(RowOf(result, "kernel-clip").real.Wrong(), 0U);
   EXPECT_EQ(RowOf(result, "kernel-clip").drawing_wrong, 0U);
   EXPECT_EQ(RowOf(result, "spans-known").drawing_wrong, 0U);
+  EXPECT_LT(RowOf(result, "spans-hom-f32").drawing_wrong, 100U);
   std::set<std::string> sinks;
   for (const BenchRow& row : result.rows) {
     const BenchMethod& method = result.methods[row.method];
@@ -131,9 +133,10 @@ TEST(RunFamily, CountsWhatADivisionByWGetsWrongBehindTheEye) {
   scene.clip_space = true;
   scene.vertices = {{5, 40, 0, 1}, {60, 40, 0, 1}, {-20, -60, 0, -1}};
   scene.triangles = {{0, 1, 2}};
-  const BenchResult result =
-      RunOnce(FamilyOf(scene, ""), {"kernel-clip", "divided-exact", "divided-scanline"});
+  const BenchResult result = RunOnce(
+      FamilyOf(scene, ""), {"kernel-clip", "divided-exact", "divided-scanline", "spans-hom-f32"});
   EXPECT_EQ(RowOf(result, "kernel-clip").drawing_wrong, 0U);
+  EXPECT_LT(RowOf(result, "spans-hom-f32").drawing_wrong, 5U);
   for (const std::string_view name : {"divided-exact", "divided-scanline"}) {
     EXPECT_GT(RowOf(result, name).drawing_wrong, 100U) << name;
     EXPECT_GT(RowOf(result, name).real.Wrong(), 0U) << name;
@@ -147,14 +150,14 @@ TEST(RunFamily, NamesTheTraitsThatClaimsAskFor) {
         RunOnce(family, {"kernel-exact", "kernel-exact-unsafe", "kernel-scanline",
                          "kernel-mask-rows", "kernel-tiles", "kernel-incremental",
                          "kernel-fixed-tiles", "kernel-clip", "divided-exact", "divided-scanline",
-                         "f64-direct", "f32-direct", "hom-f64", "spans-known"});
+                         "f64-direct", "f32-direct", "hom-f64", "spans-known", "spans-hom-f32"});
     for (const report::Claim& claim : report::Claims()) {
       if (!report::FigureOf(claim, result).cells.empty()) measured.insert(claim.id);
     }
   }
-  for (const std::string_view id :
-       {"exactness", "floats", "full-tiles", "rows", "integers", "divided", "divided-floats",
-        "textbook-doubles", "textbook-floats", "textbook-stepping", "textbook-clip"}) {
+  for (const std::string_view id : {"exactness", "floats", "full-tiles", "rows", "integers",
+                                    "divided", "divided-floats", "homogeneous", "textbook-doubles",
+                                    "textbook-floats", "textbook-stepping", "textbook-clip"}) {
     EXPECT_TRUE(measured.contains(id)) << id;
   }
 }

@@ -31,7 +31,7 @@ class Draughtsman final : public Contender {
   std::optional<std::string> WhyNot(const FamilyInput& /*family*/) const override { return {}; }
   void Load(const FamilyInput& family) override { exact_.emplace(family.scene, model_); }
   DrawTime Draw() override { return {}; }
-  std::optional<CoverageCounts> Drawn() override { return {}; }
+  bool MoveDrawn(CoverageCounts& /*to*/) override { return false; }
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override {
     exact_->Cover(triangle, area, box);

@@ -43,7 +43,7 @@ class Painter final : public Contender {
   }
   void Load(const FamilyInput& family) override { exact_.emplace(family.scene, draws_); }
   DrawTime Draw() override { return {}; }
-  std::optional<CoverageCounts> Drawn() override { return {}; }
+  bool MoveDrawn(CoverageCounts& /*to*/) override { return false; }
   void DrawAlone(std::size_t triangle, const PixelRect& area,
                  std::vector<std::uint8_t>& box) override {
     exact_->Cover(triangle, area, box);

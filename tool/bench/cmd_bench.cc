@@ -153,7 +153,7 @@ std::optional<bench::FamilyInput> FromSet(const io::SceneEntry& entry, bool is_a
 std::vector<bench::FamilyInput> FamiliesOf(const BenchOptions& options) {
   std::vector<bench::FamilyInput> families;
   const auto size =
-      options.budget < kFullFrom ? bench::FamilySize::kQuick : bench::FamilySize::kFull;
+      options.budget < kFullFrom ? bench::FamilySize::kQuick : bench::FamilySize::kHalf;
   const bool all = options.families.empty() && options.scenes.empty();
   std::vector<std::string> known;
   for (const bench::FamilyKind& kind : bench::FamilyKinds()) {
@@ -346,9 +346,8 @@ void AddPictures(const Contenders& contenders, double end, Progress& progress,
 void AddFamilies(const Contenders& contenders, const BenchOptions& options, double end,
                  Progress& progress, BenchResult& result) {
   bench::BenchOptions bench_options;
-  // Six are the least that give an interval of 95 %.
-  bench_options.least_rounds = options.budget < kFullFrom ? 6 : 9;
-  bench_options.judged_pixels = options.budget < kFullFrom ? 200'000 : 4'000'000;
+  bench_options.least_rounds = 6;  // that give an interval of 95 %
+  bench_options.judged_pixels = options.budget < kFullFrom ? 200'000 : 1'000'000;
   bench_options.progress = [&](const std::string& stage) { progress.Stage(stage); };
   constexpr double kLeastOfAUsers = 5;  // seconds: at any budget it draws the first family
   const double begun = WallSeconds();
@@ -362,7 +361,9 @@ void AddFamilies(const Contenders& contenders, const BenchOptions& options, doub
     bench_options.seconds_per_family = remaining / left--;
     bench_options.seconds_of_users = std::max(measured == 0 ? kLeastOfAUsers : 0, remaining / 2);
     if (measured != 0 && remaining < of_one) {
-      result.not_measured.push_back("families: " + family.name);
+      result.not_measured.push_back(
+          fmt::format("families: {} with {:.1f} s left, of which one takes {:.1f}", family.name,
+                      std::max(0.0, remaining), of_one));
     } else {
       bench::RunFamily(family, contenders.list, bench_options, result);
     }

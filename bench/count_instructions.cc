@@ -3,7 +3,10 @@
 //     count_instructions METHOD FAMILY
 //
 // Kernels and rivals draw a mask, by the widest vectors that there are (under callgrind: AVX2).
+// Prints how many triangles were drawn, and how many rows of pixel centres their boxes meet.
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <optional>
 #include <string_view>
@@ -26,13 +29,27 @@ __attribute__((noinline)) void Counted(const Scene& scene, const reference::Meth
 
 __attribute__((noinline)) void Counted(const FamilyInput& family,
                                        const std::optional<library::rivals::Rival>& rival,
+                                       library::kernels::KernelMethod kernel,
                                        library::kernels::Surface& surface) {
   const auto target = library::rivals::WidestTarget();
   if (rival) {
     Draw(*rival, target, family.KernelScene(), surface);
   } else {
-    Draw(library::kernels::KernelMethod::kExact, target, family.KernelScene(), surface);
+    Draw(kernel, target, family.KernelScene(), surface);
   }
+}
+
+std::size_t RowsOf(const Scene& scene) {
+  double rows = 0;
+  for (const Triangle& t : scene.triangles) {
+    const auto corners = Corners(scene, t);
+    const auto row = [&](double y) {
+      return std::clamp(std::ceil(y - 0.5), 0.0, static_cast<double>(scene.height));
+    };
+    const auto [top, bottom] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+    rows += row(bottom) - row(top);
+  }
+  return static_cast<std::size_t>(rows);
 }
 
 int Run(std::string_view name, std::string_view family_name) {
@@ -40,7 +57,10 @@ int Run(std::string_view name, std::string_view family_name) {
   const auto kind = std::ranges::find(kinds, family_name, &FamilyKind::name);
   const reference::Method* const method = reference::FindMethod(name);
   const auto rival = library::rivals::FindRival(name);
-  const bool is_vectors = rival || name == "kernel-exact";
+  constexpr std::string_view kExact = "kernel-exact";
+  const bool is_vectors = rival || name.starts_with(kExact);
+  const auto kernel = name == kExact ? library::kernels::KernelMethod::kExact
+                                     : library::kernels::KernelMethod::kExactUnsafe;
   if ((method == nullptr && !is_vectors) || kind == kinds.end()) {
     std::fputs("count_instructions: give METHOD and FAMILY as rasterproof bench names them\n",
                stderr);
@@ -51,14 +71,15 @@ int Run(std::string_view name, std::string_view family_name) {
     if (!family.KernelsDrawIt()) return 4;
     library::kernels::Surface surface(library::kernels::Sink::kMask, family.scene.width,
                                       family.scene.height);
-    Counted(family, rival, surface);
-    std::printf("%zu\n", family.scene.triangles.size());
+    Counted(family, rival, kernel, surface);
+    std::printf("%zu %zu\n", family.scene.triangles.size(), RowsOf(family.scene));
     return 0;
   }
   if (!Takes(method->info, family.scene)) return 4;
   CoverageCounts counts(family.scene.width, family.scene.height);
   Counted(family.scene, *method, counts);
-  std::printf("%zu\n", family.scene.triangles.size());
+  const std::size_t rows = family.scene.clip_space ? 0 : RowsOf(family.scene);
+  std::printf("%zu %zu\n", family.scene.triangles.size(), rows);
   return 0;
 }
 

@@ -198,7 +198,7 @@ void AddTimes(const Run& run, const Run& base, const BenchFamily& described, Ben
 
 enum class RivalChoice : std::uint8_t { kNone, kFew, kAll };
 
-bool IsAsked(const library::rivals::Rival& rival, RivalChoice choice) {
+bool IsRivalAsked(const library::rivals::Rival& rival, RivalChoice choice) {
   const std::string name = NameOf(rival);
   const bool is_among_few = name.starts_with("kernel-") || name == "spans-f64";
   return choice == RivalChoice::kAll || (choice == RivalChoice::kFew && is_among_few);
@@ -211,7 +211,7 @@ void AddKernels(kernels::Target target, kernels::Sink sink, RivalChoice choice,
     contenders.push_back(MakeKernelContender(kernel, target, sink));
   }
   for (const library::rivals::Rival& rival : library::rivals::kRivals) {
-    if (!Draws(rival, target, sink) || !IsAsked(rival, choice)) continue;
+    if (!Draws(rival, target, sink) || !IsRivalAsked(rival, choice)) continue;
     contenders.push_back(MakeRivalContender(rival, target, sink));
   }
   contenders.push_back(MakeClipContender(target, sink));

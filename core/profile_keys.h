@@ -215,16 +215,17 @@ inline constexpr auto kProfileKeys = std::to_array<ProfileKey>({
      ByExample<&Profile::values>(
          R"({"weights": "perspective", "error": {"ulps": 2, "conditions": 8}, "hull": true})"),
      R"({"weights": screen or perspective, "provoking": first or last, )"
-     R"("derivatives": analytic, fine or coarse, "error", "derivative_error": )"
-     R"({"ulps", "absolute", "conditions": numbers}, "depth": float32, float64, unorm16, unorm24 )"
-     R"(or unorm32, "depth_rounding": either or nearest, "flat", "linear", "inverse_w", )"
+     R"("derivatives": analytic, fine or coarse, "quads": even or odd, "error", )"
+     R"("derivative_error": {"ulps", "absolute", "conditions": numbers}, "depth": float32, )"
+     R"(float64, unorm16, unorm24 or unorm32, "depth_rounding": either or nearest, )"
+     R"("flat", "linear", "inverse_w", )"
      R"("centres", "centroids", "flushes", "equal_stay_equal", "exact_at_vertices", "hull", )"
-     R"("edges_agree": true or false})",
+     R"("edges_agree", "any_order", "monotone_rows": true or false})",
      "{}",
      "what covered samples hold: of which plane barycentrics are, where flat values come from, how "
-     "derivatives are computed, how far values may be off, what is computed beside perspective "
-     "values at samples, whether what is below the normal floats may count as zero where no error "
-     "is stated, and what is promised to the bit",
+     "derivatives are computed and where quads begin, how far values may be off, what is computed "
+     "beside perspective values at samples, whether what is below the normal floats may count as "
+     "zero where no error is stated, and what is promised to the bit",
      kOfDevice},
     // After the keys that its entries can leave out.
     {"by_target_size", KeyKind::kModel,

@@ -38,6 +38,13 @@ enum class DerivativesBy : std::uint8_t {
   kCoarse     ///< one difference along each axis for the whole quad
 };
 
+/// At which columns and rows quads of 2 x 2 pixels begin, counted along the profile's axes.
+enum class QuadOrigin : std::uint8_t {
+  kUnstated,  ///< of each triangle at any
+  kEven,
+  kOdd
+};
+
 /// The format that a depth is rounded to.
 enum class DepthFormat : std::uint8_t {
   kUnstated,
@@ -74,6 +81,7 @@ struct ValueRule {
   WeightsIn weights = WeightsIn::kUnstated;
   ProvokingVertex provoking = ProvokingVertex::kUnstated;
   DerivativesBy derivatives = DerivativesBy::kUnstated;
+  QuadOrigin quads = QuadOrigin::kUnstated;
   // What it computes beside perspective values at samples, which all that show values do.
   bool flat = false;
   bool linear = false;

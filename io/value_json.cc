@@ -31,6 +31,8 @@ constexpr std::array<std::pair<DerivativesBy, std::string_view>, 4> kDerivatives
      {DerivativesBy::kAnalytic, "analytic"},
      {DerivativesBy::kFine, "fine"},
      {DerivativesBy::kCoarse, "coarse"}}};
+constexpr std::array<std::pair<QuadOrigin, std::string_view>, 3> kQuads{
+    {{QuadOrigin::kUnstated, "unstated"}, {QuadOrigin::kEven, "even"}, {QuadOrigin::kOdd, "odd"}}};
 constexpr std::array<std::pair<DepthFormat, std::string_view>, 6> kDepths{
     {{DepthFormat::kUnstated, "unstated"},
      {DepthFormat::kFloat32, "float32"},
@@ -58,9 +60,10 @@ constexpr std::array kPromises{PromiseKey{"flat", &ValueRule::flat},
                                PromiseKey{"any_order", &ValueRule::same_in_any_order},
                                PromiseKey{"monotone_rows", &ValueRule::monotone_along_rows}};
 constexpr auto kValueKeys = std::to_array<std::string_view>(
-    {"weights", "provoking", "derivatives", "error", "derivative_error", "depth", "depth_rounding",
-     "flat", "linear", "inverse_w", "centres", "centroids", "flushes", "equal_stay_equal",
-     "exact_at_vertices", "hull", "edges_agree", "any_order", "monotone_rows"});
+    {"weights",           "provoking", "derivatives",    "quads",     "error",
+     "derivative_error",  "depth",     "depth_rounding", "flat",      "linear",
+     "inverse_w",         "centres",   "centroids",      "flushes",   "equal_stay_equal",
+     "exact_at_vertices", "hull",      "edges_agree",    "any_order", "monotone_rows"});
 
 double ErrorPart(const JsonValue& value) {
   const double part = CoordinateFromJson(value, Precision::kFloat64);
@@ -136,6 +139,8 @@ ValueRule ValueRuleFromJson(const JsonValue& value) {
               [](const JsonValue& v) { return FromName(v, Names<ProvokingVertex>(kProvoking)); });
   ReadIfThere(value, "derivatives", rule.derivatives,
               [](const JsonValue& v) { return FromName(v, Names<DerivativesBy>(kDerivatives)); });
+  ReadIfThere(value, "quads", rule.quads,
+              [](const JsonValue& v) { return FromName(v, Names<QuadOrigin>(kQuads)); });
   ReadIfThere(value, "error", rule.error, ErrorFromJson);
   ReadIfThere(value, "derivative_error", rule.derivative_error, ErrorFromJson);
   ReadIfThere(value, "depth", rule.depth,
@@ -156,6 +161,8 @@ void WriteValueRule(JsonWriter& json, const ValueRule& rule) {
     json.Key("provoking").Text(NameOf(rule.provoking, Names<ProvokingVertex>(kProvoking)));
   if (rule.derivatives != nothing.derivatives)
     json.Key("derivatives").Text(NameOf(rule.derivatives, Names<DerivativesBy>(kDerivatives)));
+  if (rule.quads != nothing.quads)
+    json.Key("quads").Text(NameOf(rule.quads, Names<QuadOrigin>(kQuads)));
   WriteError(json, "error", rule.error);
   WriteError(json, "derivative_error", rule.derivative_error);
   if (rule.depth != nothing.depth)

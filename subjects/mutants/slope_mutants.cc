@@ -137,6 +137,23 @@ std::vector<Mutant> OfQuads() {
                   return Slope{Difference(q, {x, 0}, {x + 1, 0}), d[1]};
                 }),
        "wrong-derivative", kQuadsKill},
+      {"values-quad-across", "differences are those of the next quad on the diagonal", "",
+       Deriving(kFine,
+                [](const ValueQuestion& q, Slope) {
+                  const int x = 2 - q.column % 2, y = 2 - q.row % 2;
+                  return Slope{Difference(q, {x, 2}, {x + 1, 2}),
+                               Difference(q, {2, y}, {2, y + 1})};
+                }),
+       "wrong-derivative", kQuadsKill},
+      {"values-quads-misplaced", "quads begin at odd pixels, where even ones are stated", "",
+       [] {
+         ChannelStages stages;
+         stages.profile.values.derivatives = kFine;
+         stages.profile.values.quads = QuadOrigin::kEven;
+         stages.quad_origin = 1;
+         return stages;
+       }(),
+       "wrong-derivative", kDerivativesKill},
       {"values-difference-negated", "odd columns take the difference the other way round", "",
        Deriving(kFine, [](const ValueQuestion& q,
                           Slope d) { return q.column % 2 == 1 ? Slope{-d[0], d[1]} : d; }),
@@ -184,6 +201,13 @@ std::vector<Mutant> OfDepths() {
                                  [](const ValueQuestion&, double z) {
                                    return std::floor(std::clamp(z, 0.0, 1.0) * kMost) / kMost;
                                  })),
+       "depth-rounding", kFormatKills},
+      {"values-depth-cut", "depths are cut to 16 bits, where floats are stated", "",
+       Deepening(DepthFormat::kFloat32,
+                 [](const ValueQuestion&, double z) {
+                   const double cut = std::floor(std::clamp(z, 0.0, 1.0) * 0xffff) / 0xffff;
+                   return static_cast<double>(static_cast<float>(cut));
+                 }),
        "depth-rounding", kFormatKills},
       {"values-depth-power-of-two", "depths are multiples of 2^-24", "",
        Deepening(k24,

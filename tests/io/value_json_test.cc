@@ -57,6 +57,8 @@ TEST(ValueJson, EveryMemberOfARuleReadsBack) {
   for (const DerivativesBy by :
        {DerivativesBy::kAnalytic, DerivativesBy::kFine, DerivativesBy::kCoarse})
     ExpectReadsBack({.derivatives = by});
+  for (const QuadOrigin quads : {QuadOrigin::kEven, QuadOrigin::kOdd})
+    ExpectReadsBack({.quads = quads});
   for (const DepthFormat depth :
        {DepthFormat::kFloat32, DepthFormat::kFloat64, DepthFormat::kUnorm16, DepthFormat::kUnorm24,
         DepthFormat::kUnorm32}) {

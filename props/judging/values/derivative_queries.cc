@@ -34,20 +34,11 @@ Point2 Moved(Point2 p, int axis, double by) {
   return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
 }
 
-// The ends of the differences that may be meant. The y axis may grow either way: a difference to
-// the next row and one from the row before are both among them.
-std::vector<std::array<Point2, 2>> EndsOf(const ShownValues& shown, Point2 p, int axis) {
-  const DerivativesBy stated = shown.rule.derivatives;
-  std::vector<std::array<Point2, 2>> ends;
-  if (Lets(stated, DerivativesBy::kAnalytic)) ends.push_back({p, p});
-  for (const int across : {0, -1, 1}) {
-    const bool lets = Lets(stated, across == 0 ? DerivativesBy::kFine : DerivativesBy::kCoarse);
-    if (!lets) continue;
-    const Point2 from = Moved(p, 1 - axis, across);
-    ends.push_back({from, Moved(from, axis, 1)});
-    ends.push_back({Moved(from, axis, -1), from});
-  }
-  return ends;
+// How far from a pixel the other one of its quad may lie.
+std::vector<int> OthersOfQuad(QuadOrigin quads, double place) {
+  if (quads == QuadOrigin::kUnstated) return {1, -1};
+  const bool is_even = std::fmod(std::floor(place), 2) == 0;
+  return {is_even == (quads == QuadOrigin::kEven) ? 1 : -1};
 }
 
 std::optional<Candidate> CandidateOf(const ShownValues& shown, const ValueFragment& f,
@@ -99,6 +90,29 @@ std::optional<exact::Rational> ExactOf(const Candidate& candidate, const ValueFr
 
 }  // namespace
 
+std::vector<std::array<Point2, 2>> DerivativeEnds(const ValueRule& rule, Point2 p, int axis) {
+  const DerivativesBy stated = rule.derivatives;
+  std::vector<std::array<Point2, 2>> ends;
+  if (Lets(stated, DerivativesBy::kAnalytic)) ends.push_back({p, p});
+  std::vector<int> rows{0};
+  if (Lets(stated, DerivativesBy::kCoarse)) {
+    for (const int across : OthersOfQuad(rule.quads, axis == 0 ? p.y : p.x)) rows.push_back(across);
+  }
+  if (!Lets(stated, DerivativesBy::kFine)) return ends;
+  for (const int across : rows) {
+    const Point2 from = Moved(p, 1 - axis, across);
+    for (const int along : OthersOfQuad(rule.quads, axis == 0 ? p.x : p.y)) {
+      const Point2 to = Moved(from, axis, along);
+      if (along > 0) {
+        ends.push_back({from, to});
+      } else {
+        ends.push_back({to, from});
+      }
+    }
+  }
+  return ends;
+}
+
 DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f,
                                 const ValueOwners& owners, const Channel& channel, int axis,
                                 double x) {
@@ -106,7 +120,7 @@ DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f
   if (!owners.known || f.reach != 0) return check;
   const RayCorners& v = owners.corners.front();
   std::vector<Candidate> candidates;
-  for (const auto& ends : EndsOf(shown, PlaceOfValue(f, channel), axis)) {
+  for (const auto& ends : DerivativeEnds(shown.rule, PlaceOfValue(f, channel), axis)) {
     const auto candidate = CandidateOf(shown, f, v, channel, ends, axis);
     if (!candidate) return check;  // what it may be is not known
     candidates.push_back(*candidate);

@@ -2,8 +2,13 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_VALUES_DERIVATIVE_QUERIES_H_
 #define RASTERPROOF_PROPS_JUDGING_VALUES_DERIVATIVE_QUERIES_H_
 
+#include <array>
+#include <vector>
+
 #include "core/channel.h"
+#include "core/value_rule.h"
 #include "core/verdict.h"
+#include "core/vertex.h"
 #include "props/judging/values/value_queries.h"
 
 namespace rasterproof::props {
@@ -14,6 +19,11 @@ inline constexpr Outputs kValuesAndDerivatives{.primitive_ids = true,
                                                .centroids = false,
                                                .values = true,
                                                .derivatives = true};
+
+/// The ends of the differences that a derivative at `p` may be, by x (axis 0) or y (1); equal ends
+/// are the plane's own derivative there. Without a stated alignment of quads a difference may be
+/// that to the next pixel or from the one before; a coarse one that of the row (column) beside it.
+std::vector<std::array<Point2, 2>> DerivativeEnds(const ValueRule& rule, Point2 p, int axis);
 
 struct DerivativeCheck {
   bool is_judged = false;
@@ -28,9 +38,7 @@ struct DerivativeCheck {
 };
 
 /// Holds a derivative by x (axis 0) or y (1) to the ways in which the rule lets it be computed:
-/// the plane's own; or the difference to the next pixel or from the one before, in the own row
-/// (column), of coarse ones in the row (column) beside it too. Which pixels make a quad, nothing
-/// states.
+/// those of DerivativeEnds().
 ///
 /// Domain:     an interpolation other than kFlat. Not judged: owners that are not known.
 DerivativeCheck CheckDerivative(const ShownValues& shown, const ValueFragment& f,

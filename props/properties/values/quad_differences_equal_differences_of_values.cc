@@ -69,6 +69,17 @@ NumberKind KindOf(int axis) {
   return axis == 0 ? NumberKind::kDerivativeX : NumberKind::kDerivativeY;
 }
 
+// Whether a difference may be that to the next column or row from the top, and that from the one
+// before.
+std::pair<bool, bool> MayBeOf(const Derivatives& d, const ValueFragment& f, int axis) {
+  const auto ends = DerivativeEnds(d.shown.rule, f.place.at, axis);
+  const auto begins = [&](std::size_t end) {
+    return std::ranges::any_of(ends, [&](const auto& pair) { return pair[end] == f.place.at; });
+  };
+  const bool is_reversed = axis == 1 && d.shown.is_y_up;
+  return {begins(is_reversed ? 1 : 0), begins(is_reversed ? 0 : 1)};
+}
+
 // A fine difference is that to the next pixel of the row (column), or from the one before.
 Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
   std::uint64_t exercised = 0;
@@ -88,8 +99,9 @@ Verdict JudgeFine(const Derivatives& d, const ValueFragment& f) {
       const double sign = axis == 1 && d.shown.is_y_up ? -1 : 1;
       const double x = sign * d.Of(f.index, k, axis);
       exercised += next != previous ? 1 : 0;
-      if (IsTheDifference(x, next, here, precision) ||
-          IsTheDifference(x, here, previous, precision))
+      const auto [is_to_next, is_from_before] = MayBeOf(d, f, axis);
+      if ((is_to_next && IsTheDifference(x, next, here, precision)) ||
+          (is_from_before && IsTheDifference(x, here, previous, precision)))
         continue;
       return ValueViolation(f, channel,
                             axis == 0 ? "changes otherwise along x than its neighbours say"
@@ -117,13 +129,25 @@ bool HasOneDerivative(const Derivatives& d, const ValueFragment& f, std::size_t 
   return true;
 }
 
+// At which parities quads may begin: bit 0 of an entry's number is of columns, bit 1 of rows from
+// the top.
+std::array<bool, 4> StatedParities(const ShownValues& shown) {
+  const QuadOrigin quads = shown.rule.quads;
+  if (quads == QuadOrigin::kUnstated) return {true, true, true, true};
+  const int column = quads == QuadOrigin::kEven ? 0 : 1;
+  const int row = shown.is_y_up ? (shown.drawing.counts.height + column) % 2 : column;
+  std::array<bool, 4> stated{};
+  stated[static_cast<std::size_t>(column + 2 * row)] = true;
+  return stated;
+}
+
 // One alignment of quads must explain all fragments of a triangle: how they lie over another one,
 // no text says.
 Verdict JudgeAlignment(const Derivatives& d, const std::vector<ValueFragment>& fragments) {
   std::map<int, std::array<bool, 4>> by_triangle;
   for (const ValueFragment& f : fragments) {
-    const std::array<bool, 4> all{true, true, true, true};
-    std::array<bool, 4>& is_possible = by_triangle.try_emplace(f.triangle, all).first->second;
+    std::array<bool, 4>& is_possible =
+        by_triangle.try_emplace(f.triangle, StatedParities(d.shown)).first->second;
     for (std::size_t k = 0; k < d.shown.channels.size(); ++k) {
       if (d.shown.channels[k].at != EvaluatedAt::kSample || !std::isfinite(d.Value(f.index, k)))
         continue;

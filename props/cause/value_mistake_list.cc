@@ -21,13 +21,8 @@ using Made = std::vector<MadeNumber>;
 
 Point2 PlaceOf(const ShownNumber& s) { return PlaceOfValue(s.f, s.channel); }
 
-MadeNumber Estimated(const RayCorners& v, Interpolation plane, const VertexNumbers& a, Point2 p) {
-  const ValueEstimate e = EstimateValue(v, plane, a, p);
-  return {e.value, e.condition};
-}
-
 MadeNumber Estimated(const ShownNumber& s, Interpolation plane, const VertexNumbers& a, Point2 p) {
-  return Estimated(s.owners.corners.front(), plane, a, p);
+  return ValueOfPlane(s.owners.corners.front(), plane, a, p);
 }
 
 bool IsInterpolated(const ShownNumber& s) {
@@ -147,8 +142,21 @@ void AddPlaces(std::vector<Mistake>& list) {
       {"other-corners", "interpolates between the other corners: given, not snapped, or snapped",
        [](const ShownNumber& s) -> Made {
          if (!IsInterpolated(s) || s.other_corners == nullptr) return {};
-         return {Estimated(*s.other_corners, s.channel.interpolation, s.numbers, PlaceOf(s))};
+         return {ValueOfPlane(*s.other_corners, s.channel.interpolation, s.numbers, PlaceOf(s))};
        }});
+}
+
+void AddOtherTriangles(std::vector<Mistake>& list) {
+  for (const ListNeighbour side : {ListNeighbour::kBefore, ListNeighbour::kAfter}) {
+    list.push_back({"other-corners", std::string("takes the plane of ").append(WordsOf(side)),
+                    [side](const ShownNumber& s) -> Made {
+                      if (!IsInterpolated(s) || !s.HasTriangle(side)) return {};
+                      const std::optional<OtherPlane> other = s.PlaneOf(side);
+                      if (!other) return {{std::nan(""), 0}};
+                      return {ValueOfPlane(other->corners, s.channel.interpolation, other->numbers,
+                                           PlaceOf(s))};
+                    }});
+  }
 }
 
 void AddFlat(std::vector<Mistake>& list) {
@@ -169,11 +177,7 @@ void AddFlat(std::vector<Mistake>& list) {
        }});
 }
 
-// 1 over the interpolated 1/w.
-MadeNumber WAt(const ShownNumber& s, Point2 p) {
-  const MadeNumber over = Estimated(s, Interpolation::kInverseW, {1, 1, 1}, p);
-  return {1 / over.value, over.condition / (over.value * over.value)};
-}
+MadeNumber WAt(const ShownNumber& s, Point2 p) { return WOfPlane(s.owners.corners.front(), p); }
 
 // What is shown is not what was asked for.
 void AddQuantities(std::vector<Mistake>& list) {
@@ -261,9 +265,7 @@ Made RoundedDepth(const ShownNumber& s, double step) {
 }
 
 // Rounded down to a code of the format; not known where the depth may be of either of two.
-Made TruncatedDepth(const ShownNumber& s) {
-  const double step = DepthStep(s.values.rule.depth);
-  if (step == 0) return {};
+Made TruncatedDepth(const ShownNumber& s, double step) {
   const MadeNumber z = DepthOf(s);
   const double codes = std::clamp(z.value, 0.0, 1.0) / step;
   const double code = std::floor(codes);
@@ -293,7 +295,10 @@ void AddDepths(std::vector<Mistake>& list) {
          z.within = kUsualConditions * UnitRoundoff(s.values.precision) * z.condition;
          return {z};
        }});
-  list.push_back({"depth-rounding", "rounds depths down", TruncatedDepth});
+  list.push_back({"depth-rounding", "rounds depths down", [](const ShownNumber& s) -> Made {
+                    const double step = DepthStep(s.values.rule.depth);
+                    return step != 0 ? TruncatedDepth(s, step) : Made();
+                  }});
   for (const auto& [bits, most] : {std::pair(16, 0xffff), std::pair(24, 0xffffff)}) {
     list.push_back({"depth-rounding",
                     std::string("keeps depths in ").append(std::to_string(bits)).append(" bits"),
@@ -301,6 +306,16 @@ void AddDepths(std::vector<Mistake>& list) {
                       return step != DepthStep(s.values.rule.depth) ? RoundedDepth(s, step)
                                                                     : Made();
                     }});
+    list.push_back({"depth-rounding",
+                    std::string("cuts depths to ").append(std::to_string(bits)).append(" bits"),
+                    [step = 1.0 / most](const ShownNumber& s) -> Made {
+                      return step != DepthStep(s.values.rule.depth) ? TruncatedDepth(s, step)
+                                                                    : Made();
+                    }});
+    list.push_back(
+        {"depth-rounding",
+         std::string("cuts depths to multiples of 2^-").append(std::to_string(bits)),
+         [bits](const ShownNumber& s) { return TruncatedDepth(s, std::ldexp(1.0, -bits)); }});
     list.push_back(
         {"depth-rounding",
          std::string("rounds depths to multiples of 2^-").append(std::to_string(bits)),
@@ -308,143 +323,42 @@ void AddDepths(std::vector<Mistake>& list) {
   }
 }
 
-Point2 PlaceMoved(Point2 p, int axis, double by) {
-  return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
-}
-
-MadeNumber Slope(const ShownNumber& s, Interpolation plane, const VertexNumbers& a, Point2 p,
-                 int axis) {
-  const ValueEstimate e = EstimateValue(s.owners.corners.front(), plane, a, p);
-  const auto k = static_cast<std::size_t>(axis);
-  return {e.derivatives[k], e.derivative_conditions[k]};
-}
-
-MadeNumber SlopeAt(const ShownNumber& s, Point2 p, int axis) {
-  return Slope(s, s.channel.interpolation, s.numbers, p, axis);
-}
-
-// From one point to another, in pixels along the axis from the place moved across it.
-MadeNumber DifferenceOf(const ShownNumber& s, double from, double to, double across = 0) {
-  const Point2 p = PlaceMoved(PlaceOf(s), 1 - s.axis, across);
-  const auto at = [&](double by) {
-    return Estimated(s, s.channel.interpolation, s.numbers, PlaceMoved(p, s.axis, by));
-  };
-  const MadeNumber first = at(from), last = at(to);
-  return {last.value - first.value, first.condition + last.condition};
-}
-
-// The derivatives that may be meant: of the plane, or to the next pixel and from the one before.
-Made SlopesOf(const ShownNumber& s) {
-  const DerivativesBy by = s.values.rule.derivatives;
-  if (by == DerivativesBy::kAnalytic) return {SlopeAt(s, PlaceOf(s), s.axis)};
-  if (by == DerivativesBy::kUnstated) return {{std::nan(""), 0}};
-  Made made{DifferenceOf(s, 0, 1), DifferenceOf(s, -1, 0)};
-  if (by != DerivativesBy::kCoarse) return made;
-  for (const double across : {-1.0, 1.0}) {
-    made.push_back(DifferenceOf(s, 0, 1, across));
-    made.push_back(DifferenceOf(s, -1, 0, across));
-  }
-  return made;
-}
-
-Made ScaledSlopes(const ShownNumber& s, double by) {
-  Made made = SlopesOf(s);
-  for (MadeNumber& one : made) {
-    one.value *= by;
-    one.condition *= std::fabs(by);
-  }
-  return made;
-}
-
-void AddScales(std::vector<Mistake>& list) {
-  struct Scale {
-    double by;
-    int axis;  // -1: both
-    std::string_view what;
-  };
-  for (const Scale& scale :
-       {Scale{2, -1, "shows derivatives twice as large"},
-        Scale{0.5, -1, "shows derivatives half as large"}, Scale{-1, 0, "negates derivatives by x"},
-        Scale{-1, 1, "negates derivatives by y"}, Scale{-1, -1, "negates derivatives"}}) {
-    list.push_back({"wrong-derivative", std::string(scale.what),
-                    [by = scale.by, axis = scale.axis](const ShownNumber& s) -> Made {
-                      if (axis >= 0 && axis != s.axis) return {};
-                      return ScaledSlopes(s, by);
-                    }});
-  }
-  list.push_back({"wrong-derivative", "negates some differences", [](const ShownNumber& s) -> Made {
-                    Made made = SlopesOf(s);
-                    for (const MadeNumber& one : ScaledSlopes(s, -1)) made.push_back(one);
-                    return made;
-                  }});
-  list.push_back(
-      {"wrong-derivative", "exchanges derivatives by x and by y", [](const ShownNumber& s) -> Made {
-         ShownNumber other = s;
-         other.axis = 1 - s.axis;
-         return SlopesOf(other);
-       }});
-}
-
-void AddSlopePlanes(std::vector<Mistake>& list) {
-  list.push_back(
-      {"wrong-derivative", "derives the plane on the screen", [](const ShownNumber& s) -> Made {
-         if (s.channel.interpolation != Interpolation::kPerspective) return {};
-         return {Slope(s, Interpolation::kLinear, s.numbers, PlaceOf(s), s.axis)};
-       }});
-  list.push_back(
-      {"wrong-derivative", "leaves out the derivative of 1/w", [](const ShownNumber& s) -> Made {
-         if (s.channel.interpolation != Interpolation::kPerspective) return {};
-         MadeNumber slope = Slope(s, Interpolation::kInverseW, s.numbers, PlaceOf(s), s.axis);
-         const MadeNumber w = WAt(s, PlaceOf(s));
-         slope.condition =
-             std::fabs(w.value) * slope.condition + std::fabs(slope.value) * w.condition;
-         slope.value *= w.value;
-         return {slope};
-       }});
-  list.push_back({"wrong-derivative", "derives at the pixel before in the last column",
-                  [](const ShownNumber& s) -> Made {
-                    const int width = s.values.scene->width;
-                    if (s.f.place.x == 0 || s.f.place.x != width - 1) return {};
-                    return {SlopeAt(s, PlaceMoved(PlaceOf(s), 0, -1), s.axis)};
-                  }});
-}
-
-void AddDifferences(std::vector<Mistake>& list) {
-  const auto add = [&](std::string what, auto made) {
-    list.push_back({"wrong-derivative", std::move(what), made});
-  };
-  add("takes differences for derivatives of the plane",
-      [](const ShownNumber& s) -> Made { return {DifferenceOf(s, 0, 1), DifferenceOf(s, -1, 0)}; });
-  add("takes differences over two pixels", [](const ShownNumber& s) -> Made {
-    MadeNumber made = DifferenceOf(s, -1, 1);
-    made.value /= 2;
-    return {made};
-  });
-  add("takes a quad's first row and column for all of it", [](const ShownNumber& s) -> Made {
-    Made made;
-    for (const double across : {0.0, -1.0, 1.0}) {
-      made.push_back(DifferenceOf(s, 0, 1, across));
-      made.push_back(DifferenceOf(s, -1, 0, across));
-    }
-    return made;
-  });
-  add("takes derivatives by x of the quad beside", [](const ShownNumber& s) -> Made {
-    if (s.axis == 1) return {};
-    return {DifferenceOf(s, 1, 2), DifferenceOf(s, 2, 3), DifferenceOf(s, -2, -1),
-            DifferenceOf(s, -3, -2)};
-  });
-}
-
 }  // namespace
+
+std::string_view WordsOf(ListNeighbour side) {
+  return side == ListNeighbour::kBefore ? "the triangle before in the list"
+                                        : "the next triangle in the list";
+}
+
+bool ShownNumber::HasTriangle(ListNeighbour side) const {
+  const auto count = static_cast<int>(values.scene->triangles.size());
+  return side == ListNeighbour::kBefore ? f.triangle > 0 : f.triangle + 1 < count;
+}
+
+std::optional<OtherPlane> ShownNumber::PlaneOf(ListNeighbour side) const {
+  const OtherTriangle* const other =
+      side == ListNeighbour::kBefore ? triangle_before : triangle_after;
+  if (other == nullptr) return std::nullopt;
+  OtherPlane plane{*other->corners, numbers};
+  for (std::size_t i = 0; i < 3 && !channel.values.empty(); ++i)
+    plane.numbers[i] = channel.values[static_cast<std::size_t>(other->vertices[i])];
+  return plane;
+}
+
+MadeNumber ValueOfPlane(const RayCorners& v, Interpolation plane, const VertexNumbers& a,
+                        Point2 p) {
+  const ValueEstimate e = EstimateValue(v, plane, a, p);
+  return {e.value, e.condition};
+}
+
+MadeNumber WOfPlane(const RayCorners& v, Point2 p) {
+  const MadeNumber over = ValueOfPlane(v, Interpolation::kInverseW, {1, 1, 1}, p);
+  return {1 / over.value, over.condition / (over.value * over.value)};
+}
 
 std::vector<Mistake> MistakesOf(NumbersOf what) {
   std::vector<Mistake> list;
-  if (what == NumbersOf::kDerivatives) {
-    AddScales(list);
-    AddSlopePlanes(list);
-    AddDifferences(list);
-    return list;
-  }
+  if (what == NumbersOf::kDerivatives) return MistakesOfDerivatives();
   AddPlanes(list);
   if (what == NumbersOf::kInverseW) {
     AddInverses(list);
@@ -453,6 +367,7 @@ std::vector<Mistake> MistakesOf(NumbersOf what) {
   AddExchanges(list);
   AddFlat(list);
   AddPlaces(list);
+  AddOtherTriangles(list);
   if (what == NumbersOf::kDepths) AddDepths(list);
   if (what == NumbersOf::kChannels) AddQuantities(list);
   return list;

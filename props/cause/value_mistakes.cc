@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -238,12 +239,23 @@ void Search::CompareDrawing(const PlacedCase& placed, const DrawJob& job, const 
   const SubjectInfo other = OfOtherCorners(info);
   const auto fragments = FragmentsOf(placed, info, drawing, FragmentChoice::kSome);
   const auto others = FragmentsOf(placed, other, drawing, FragmentChoice::kSome);
+  std::map<int, OtherTriangle> seen;
+  for (const ValueFragment& f : fragments) {
+    if (f.readings.size() == 1 && f.readings.front().known)
+      seen.try_emplace(f.triangle, OtherTriangle{&f.readings.front().corners.front(), f.vertices});
+  }
+  const auto find = [&](int triangle) {
+    const auto found = seen.find(triangle);
+    return found == seen.end() ? nullptr : &found->second;
+  };
   for (const ValueFragment& f : fragments) {
     if (f.readings.size() != 1 || !f.readings.front().known) continue;
     const auto same = std::ranges::find(others, f.index, &ValueFragment::index);
     const int facing = placed.facings[static_cast<std::size_t>(f.triangle)] > 0 ? 1 : -1;
     for (ShownNumber& s : NumbersOfFragment(values, f, what_)) {
       s.facing = facing;
+      s.triangle_before = find(f.triangle - 1);
+      s.triangle_after = find(f.triangle + 1);
       if (same != others.end() && same->readings.size() == 1)
         s.other_corners = &same->readings.front().corners.front();
       CompareNumber(s, number);
@@ -288,8 +300,13 @@ ValueMistake Search::Found() const {
   found.wrong = wrong_;
   std::size_t most = kFewestScenes - 1;
   for (const Mistake& mistake : left_) most = std::max(most, mistake.cases.size());
+  const auto explains = [most](const Mistake& mistake) {
+    return mistake.cases.size() >= std::max(most, kFewestScenes);
+  };
+  const bool is_narrow = std::ranges::any_of(
+      left_, [&](const Mistake& mistake) { return !mistake.is_wide && explains(mistake); });
   for (const Mistake& mistake : left_) {
-    if (mistake.cases.size() < std::max(most, kFewestScenes)) continue;
+    if (!explains(mistake) || (mistake.is_wide && is_narrow)) continue;
     if (found.name.empty()) found.name = mistake.name;
     found.what.push_back(mistake.what);
   }

@@ -101,6 +101,7 @@ static void show(const rasterproof_scene* scene, const rasterproof_target* targe
     }
     target->depths[k] = is("depth-in-perspective") ? z / w : is("depth-mapped") ? 2 * z - 1 : z;
     if (is("depth-reversed")) target->depths[k] = 1 - z;
+    if (is("depth-cut")) target->depths[k] = floor(fmin(fmax(z, 0), 1) * 0xffff) / 0xffff;
   }
   if (target->barycentrics != NULL) {
     in_perspective(t, l, b);

@@ -34,6 +34,7 @@ FAULTS = {
     "depth-in-perspective": "affine-weights",
     "depth-mapped": "depth-range",
     "depth-reversed": "depth-range",
+    "depth-cut": "depth-rounding",
     "next-channel": "wrong-quantity",
     "w": "wrong-quantity",
     "clamped": "clamped-values",

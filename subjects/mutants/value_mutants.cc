@@ -378,6 +378,16 @@ std::vector<Mutant> OfCentroids() {
                 stages.profile.centroid = Centroid::kInside;
               }),
        "shown-values", kCentroidsKill},
+      {"values-centroids-apart", "of two channels, one is of the centroid, the other of the sample",
+       "",
+       Stated(AskingOfChannels([](Question& q) {
+                if (q.channel && *q.channel % 2 == 0) AtOwnSample(q);
+              }),
+              [](ChannelStages& stages) {
+                StateCentroids(stages);
+                stages.profile.centroid = Centroid::kInside;
+              }),
+       "shown-values", kCentroidsKill},
       {"values-centroids-affine", "what is asked for at the centroid is affine on the screen", "",
        Stated(AskingOfChannels([](Question& q) {
                 if (q.asked_at == EvaluatedAt::kCentroid) OnTheScreen(q);

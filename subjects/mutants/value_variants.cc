@@ -323,19 +323,23 @@ ChannelStages OfAVertexOnSlivers() {
   return stages;
 }
 
-// At any place of pixel and triangle: the sample's own.
-void AtOwnSamples(ChannelStages& s) {
+// At a place of pixel and triangle: this share of the way from Direct3D's to the sample's own.
+ChannelStages TowardsOwnSamples(double share) {
+  ChannelStages s;
   s.profile.pattern = *StandardPattern(4);
   s.profile.centroid = Centroid::kInside;
   s.profile.values.centroids = true;
-  s.asked = [](ValueQuestion& q) {
-    const Point2 own = q.pattern[q.sample];
-    if (q.asked_at == EvaluatedAt::kCentroid) q.at = {q.low.x + own.x, q.low.y + own.y};
+  s.asked = [share](ValueQuestion& q) {
+    const double by = q.asked_at == EvaluatedAt::kCentroid ? share : 0;
+    q.at.x += by * (q.low.x + q.pattern[q.sample].x - q.at.x);
+    q.at.y += by * (q.low.y + q.pattern[q.sample].y - q.at.y);
   };
+  return s;
 }
 
-ChannelStages ByQuads(DerivativesBy by, int origin) {
+ChannelStages ByQuads(DerivativesBy by, int origin, QuadOrigin stated = QuadOrigin::kUnstated) {
   ChannelStages stages;
+  stages.profile.values.quads = stated;
   stages.profile.values.derivatives = by;
   stages.quad_origin = origin;
   return stages;
@@ -380,10 +384,8 @@ std::vector<Mutant> ByForm() {
        NearTheTarget(BySlopes)},
       {"values-edge-functions", "weights are edge functions in float32, near the target", "",
        NearTheTarget(ByEdgeFunctions)},
-      {"values-over-w", "numbers over w and 1/w are interpolated and divided once", "",
-       InFloat32(OverW)},
-      {"values-weights-first", "screen weights are made perspective first", "",
-       InFloat32(WeightsFirst)},
+      {"values-over-w", "numbers over w are divided by 1/w once", "", InFloat32(OverW)},
+      {"values-weights-first", "screen weights come first", "", InFloat32(WeightsFirst)},
       {"values-inverse-matrix", "weights are rows of the corners' inverse matrix",
        "Olano and Greer 1997", InFloat32(ByInverseMatrix)},
       {"values-reciprocal", "1/w is a reciprocal of 14 bits and one step of Newton's", "",
@@ -391,20 +393,23 @@ std::vector<Mutant> ByForm() {
       {"values-fused", "products and sums are fused, in float32", "", InFloat32(Fused)},
       {"values-rounded-correctly", "values are the nearest floats", "", RoundingCorrectly()},
       {"values-in-one-order", "sums begin with the corner of the least index", "", InOneOrder()},
-      {"values-on-slivers", "slivers whose area float32 loses hold a vertex's numbers", "",
-       OfAVertexOnSlivers()},
+      {"values-on-slivers", "lost slivers hold a vertex's numbers", "", OfAVertexOnSlivers()},
   };
 }
 
 // NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> ByStatement() {
+  constexpr auto kFine = DerivativesBy::kFine, kCoarse = DerivativesBy::kCoarse;
   return {
-      {"values-fine", "derivatives are differences in quads", "", ByQuads(DerivativesBy::kFine, 0)},
-      {"values-fine-odd", "derivatives are differences in quads that begin at odd pixels", "",
-       ByQuads(DerivativesBy::kFine, 1)},
-      {"values-coarse", "derivatives are the quad's", "", ByQuads(DerivativesBy::kCoarse, 0)},
-      {"values-coarse-odd", "derivatives are those of the quad, which begins at odd pixels", "",
-       ByQuads(DerivativesBy::kCoarse, 1)},
+      {"values-fine", "derivatives are differences in quads", "", ByQuads(kFine, 0)},
+      {"values-fine-odd", "differences in quads that begin at odd pixels", "", ByQuads(kFine, 1)},
+      {"values-coarse", "derivatives are the quad's", "", ByQuads(kCoarse, 0)},
+      {"values-coarse-odd", "derivatives are the quad's, which begins at odd pixels", "",
+       ByQuads(kCoarse, 1)},
+      {"values-quads-even", "quads begin at even pixels, as is stated", "",
+       ByQuads(kFine, 0, QuadOrigin::kEven)},
+      {"values-quads-odd", "coarse quads begin at odd pixels, as is stated", "",
+       ByQuads(kCoarse, 1, QuadOrigin::kOdd)},
       {"values-fine-float32", "derivatives are differences of values in float32", "",
        Changed(InFloat32(DividedLast),
                [](ChannelStages& s) { s.profile.values.derivatives = DerivativesBy::kFine; })},
@@ -431,8 +436,8 @@ std::vector<Mutant> ByStatement() {
                  s.profile.centroid = Centroid::kDirect3D;
                  s.profile.values.centroids = true;
                })},
-      {"values-centroids-anywhere", "values at the centroid are the samples'", "",
-       Changed({}, AtOwnSamples)},
+      {"values-centroids-anywhere", "centroids are the samples", "", TowardsOwnSamples(1)},
+      {"values-centroids-between", "centroids lie between samples", "", TowardsOwnSamples(0.5)},
       {"values-y-up", "y grows upwards", "",
        Changed({}, [](ChannelStages& s) { s.profile.y_axis = YAxis::kUp; })},
       {"values-y-up-fine", "y grows upwards, and derivatives are differences in quads", "",

@@ -74,6 +74,26 @@ TEST_F(CentroidValues, AreOfTheStatedPoint) {
   EXPECT_FALSE(Check(7.5).holds) << "elsewhere in pixel and triangle";
 }
 
+// u = x and v = y, whose points are those of x + y <= 8 in columns 4 to 5 and rows 3 to 4.
+TEST_F(CentroidValues, OfAllChannelsAreOfOnePoint) {
+  channels_ = {{"u", Interpolation::kPerspective, EvaluatedAt::kCentroid, {0, 8, 0}},
+               {"v", Interpolation::kLinear, EvaluatedAt::kCentroid, {0, 0, 8}},
+               {"w", Interpolation::kPerspective, EvaluatedAt::kSample, {0, 0, 1}}};
+  const auto have_one = [&](double u, double v) {
+    drawing_.values = {u, v, 100};
+    const ShownValues shown{drawing_, channels_, rule_, Precision::kFloat32};
+    return HaveOnePlace(shown, fragment_, owners_);
+  };
+  EXPECT_TRUE(have_one(4.25, 3.25));
+  EXPECT_TRUE(have_one(4.75, 3.25)) << "on the edge";
+  EXPECT_TRUE(have_one(4.75, 3.25 + 0x1p-20)) << "each within its error";
+  // Each is that of a legal point: of (4.75, 3) and of (4, 3.75).
+  EXPECT_FALSE(have_one(4.75, 3.75));
+  EXPECT_FALSE(have_one(4.75, 3.25 + 0x1p-18));
+  owners_.known.reset();
+  EXPECT_TRUE(have_one(4.75, 3.75)) << "nothing is known of the corners";
+}
+
 TEST_F(CentroidValues, AreNotJudgedAroundTheEye) {
   owners_.corners[0][2] = {0, -8, -1};
   owners_.known = {{{0, 0, 1}, {8, 0, 1}, {0, -8, -1}}};

@@ -109,6 +109,27 @@ bool MeetsRegion(const ValueFragment& f, const std::vector<HalfPlane>& planes) {
   return exact::RectangleMeets(region.low, region.high, all);
 }
 
+// What the value may be in a region; nothing: it is not judged.
+std::optional<ValueRange> RangeInRegion(const ShownValues& shown, const ValueFragment& f,
+                                        const ValueOwners& owners, const Channel& channel) {
+  const auto is_in_front = [](const RayCorners& v) {
+    return std::ranges::all_of(v, [](const RayCorner& corner) { return corner.w > 0; });
+  };
+  if (channel.interpolation == Interpolation::kInverseW) return std::nullopt;
+  if (!std::ranges::all_of(owners.corners, is_in_front)) return std::nullopt;
+  return RangeInPixel(shown, f, owners, channel);
+}
+
+// The points where the value may be the number that is shown.
+std::vector<HalfPlane> WhereItMayBe(const ValueFragment& f, const ValueOwners& owners,
+                                    const Channel& channel, const ValueRange& range, double x) {
+  const auto where = [&](int sign) {
+    const Rational bound = Rational(x) - Rational(range.tolerance) * Rational(sign);
+    return WhereValueIs(*owners.known, channel.interpolation, NumbersAt(f, channel), bound, sign);
+  };
+  return {where(1), where(-1)};
+}
+
 }  // namespace
 
 CentroidRegion CentroidOf(const PlacedCase& c, const SubjectInfo& info, const Drawing& drawing,
@@ -121,30 +142,35 @@ CentroidRegion CentroidOf(const PlacedCase& c, const SubjectInfo& info, const Dr
 
 ValueCheck CheckCentroidValue(const ShownValues& shown, const ValueFragment& f,
                               const ValueOwners& owners, const Channel& channel, double x) {
-  const std::array<double, 3> numbers = NumbersAt(f, channel);
-  if (f.centroid->at) return CheckValue(shown, f, owners, channel, numbers, x);
+  if (f.centroid->at) return CheckValue(shown, f, owners, channel, NumbersAt(f, channel), x);
   ValueCheck check;
-  const auto is_in_front = [](const RayCorners& v) {
-    return std::ranges::all_of(v, [](const RayCorner& corner) { return corner.w > 0; });
-  };
-  if (channel.interpolation == Interpolation::kInverseW) return check;
-  if (!std::ranges::all_of(owners.corners, is_in_front)) return check;
-  const auto range = RangeInPixel(shown, f, owners, channel);
+  const auto range = RangeInRegion(shown, f, owners, channel);
   if (!range) return check;
   check.is_judged = true;
   check.tells = range->high - range->low > range->tolerance;
   check.holds = !range->SurelyExcludes(x);
   check.expected = {"between ", range->low, " and ", range->high, " within ", range->tolerance};
   if (!check.holds || !owners.known) return check;
-  const auto where = [&](int sign) {
-    const Rational bound = Rational(x) - Rational(range->tolerance) * Rational(sign);
-    return WhereValueIs(*owners.known, channel.interpolation, numbers, bound, sign);
-  };
-  if (MeetsRegion(f, {where(1), where(-1)})) return check;
+  if (MeetsRegion(f, WhereItMayBe(f, owners, channel, *range, x))) return check;
   if (!MeetsRegion(f, {})) return {};  // it is not covered by any legal model
   check.holds = false;
   check.expected = {"that of " + f.centroid->words + ", within ", range->tolerance};
   return check;
+}
+
+bool HaveOnePlace(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
+  if (f.centroid->at || !owners.known) return true;
+  std::vector<HalfPlane> planes;
+  for (std::size_t k = 0; k < shown.channels.size(); ++k) {
+    const Channel& channel = shown.channels[k];
+    const bool is_interpolated = channel.interpolation != Interpolation::kFlat;
+    if (channel.at != EvaluatedAt::kCentroid || !is_interpolated) continue;
+    const auto range = RangeInRegion(shown, f, owners, channel);
+    if (!range) continue;
+    const auto own = WhereItMayBe(f, owners, channel, *range, shown.Of(f, k));
+    planes.insert(planes.end(), own.begin(), own.end());
+  }
+  return MeetsRegion(f, planes) || !MeetsRegion(f, {});
 }
 
 }  // namespace rasterproof::props

@@ -1,4 +1,5 @@
-// The value of a channel at the centroid is that of the stated point, or of one where it may lie.
+// The value of a channel at the centroid is that of the stated point, or of one where it may lie;
+// all channels are of the same.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -28,6 +29,7 @@ bool IsJudged(const Channel& channel) {
 
 Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
   std::uint64_t exercised = 0;
+  std::size_t last = 0;
   for (std::size_t k = 0; k < shown.channels.size(); ++k) {
     const Channel& channel = shown.channels[k];
     if (!IsJudged(channel)) continue;
@@ -37,6 +39,12 @@ Verdict Judge(const ShownValues& shown, const ValueFragment& f, const ValueOwner
     if (!check.holds)
       return ValueViolation(f, channel, "at the centroid is of elsewhere", {x}, check.expected);
     exercised += check.tells ? 1 : 0;
+    last = k;
+  }
+  if (exercised > 1 && !HaveOnePlace(shown, f, owners)) {
+    return ValueViolation(f, shown.channels[last],
+                          "at the centroid is of another point than others", {shown.Of(f, last)},
+                          {"that of the one point that all channels at the centroid are of"});
   }
   return Verdict::Held(exercised);
 }
@@ -86,7 +94,9 @@ extern constinit const Property kCentroidValuesStayWithinTheirError{
     .clause =
         "A value at the centroid is that of the pixel's centre or the first covered sample "
         "(Direct3D 11.3 section 3.5.5), or of any point of pixel and primitive (OpenGL 4.6 section "
-        "15.2; Vulkan 1.3, Interpolation Decorations); with one sample of the centre.",
+        "15.2; Vulkan 1.3, Interpolation Decorations), the same for all channels; with one sample "
+        "of "
+        "the centre.",
     .required_with_error = kValueErrorClauses,
     .tolerance = kValueTolerance,
     .domains = kValueDomains,

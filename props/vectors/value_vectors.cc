@@ -27,8 +27,10 @@ namespace {
 // From 1 to 8; those of the corners of a triangle mostly differ.
 double DrawnW(std::size_t vertex) { return static_cast<double>(1 + 3 * vertex % 8); }
 
-bool IsStatedInVectors(const Channel& channel) {
-  return channel.interpolation != Interpolation::kFlat && channel.at != EvaluatedAt::kCentroid;
+bool IsStatedInVectors(const Channel& channel, const ValueRule& rule) {
+  if (channel.at == EvaluatedAt::kCentroid) return false;
+  const bool is_flat = channel.interpolation == Interpolation::kFlat;
+  return !is_flat || rule.provoking != ProvokingVertex::kUnstated;
 }
 
 // The least float for which `holds`, which is monotone and changes between the two numbers.
@@ -128,6 +130,11 @@ class StatedValues {
   std::optional<NumberVector> ValueOf(const ValueFragment& f, const ValueOwners& owners,
                                       const Channel& channel) const {
     const std::array<double, 3> numbers = NumbersAt(f, channel);
+    if (channel.interpolation == Interpolation::kFlat) {
+      const double x = numbers[rule_.provoking == ProvokingVertex::kLast ? 2 : 0];
+      const auto number = static_cast<float>(x);
+      return NumberVector{exact::Rational(x).ToString(), number, number, number};
+    }
     const auto range = RangeOf(shown_, f, owners, channel, numbers);
     if (!range) return std::nullopt;
     const auto value = exact::Interpolant(*owners.known, PlaceOfValue(f, channel))
@@ -141,6 +148,7 @@ class StatedValues {
   std::optional<NumberVector> DerivativeOf(const ValueFragment& f, const ValueOwners& owners,
                                            const Channel& channel, int axis) const {
     if (rule_.derivatives != DerivativesBy::kAnalytic) return std::nullopt;
+    if (channel.interpolation == Interpolation::kFlat) return std::nullopt;
     const Point2 p = PlaceOfValue(f, channel);
     const auto beside =
         DerivativeTolerance(shown_, f, owners.corners.front(), channel, axis, {p, p});
@@ -173,7 +181,9 @@ void RequireStatesValues(const Profile& profile) {
 
 void StateValues(const TargetProfile& profile, TestVector& vector) {
   std::vector<Channel> channels = ChannelsFor(vector.scene, profile.values);
-  std::erase_if(channels, [](const Channel& channel) { return !IsStatedInVectors(channel); });
+  std::erase_if(channels, [&](const Channel& channel) {
+    return !IsStatedInVectors(channel, profile.values);
+  });
   vector.scene.channels = std::move(channels);
   for (std::size_t v = 0; v < vector.scene.vertices.size(); ++v) vector.w.push_back(DrawnW(v));
   StatedValues values(profile, vector);

@@ -17,8 +17,9 @@ inline constexpr std::size_t kMostValueSamples = 4;
 void RequireStatesValues(const Profile& profile);
 
 /// Adds channels to the vector's scene, a w from 1 to 8 to each vertex, and what covered samples
-/// hold by the vertices as the profile's model places them: the channels of `check` that are
-/// interpolated at samples and centres. Left out is what no bound is known of, as in RangeOf().
+/// hold by the vertices as the profile's model places them: the channels of `check` at samples and
+/// centres, flat ones if a provoking vertex is stated. Left out is what no bound is known of, as in
+/// RangeOf().
 ///
 /// Domain:     RequireStatesValues() accepts the profile; `triangles` are there.
 /// Returns:    intervals by the stated errors, or by the usual ones where none is stated, each with

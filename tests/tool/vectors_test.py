@@ -150,6 +150,29 @@ class VectorsTest(unittest.TestCase):
         self.assertEqual(kinds, {"perspective", "linear", "inverse-w"})
         self.assertGreater(header["values"], 200)
 
+    def test_flat_values_are_the_provoking_vertex_s(self):
+        for provoking, corner in (("first", 0), ("last", 2)):
+            profile = self.write("flat.json", json.dumps(
+                {"name": "mine", "subpixel_bits": 8, "coordinate_limit": 4096,
+                 "values": {"flat": True, "provoking": provoking}}))  # fmt: skip
+            done = run("generate", "--profile", profile, "--cases", "12", "--values")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            asked = 0
+            case = {}
+            for line in map(json.loads, done.stdout.splitlines()):
+                if "case" in line:
+                    case = line
+                if line.get("channel") != "flat":
+                    continue
+                channel, = (c for c in case["channels"] if c["name"] == "flat")
+                indices = case["triangles"][line["triangle"]]["vertices"]
+                number = float.fromhex(channel["numbers"][indices[corner]])
+                asked += 1
+                for key in ("low", "nearest", "high"):
+                    self.assertEqual(float.fromhex(line[key]), number)
+                self.assertNotIn("dx", line)
+            self.assertGreater(asked, 20)
+
     def test_values_change_nothing_else(self):
         _, lines = self.vectors["d3d11-canonical"]
         done = run("generate", "--profile", "d3d11-canonical", "--cases", CASES, "--values")

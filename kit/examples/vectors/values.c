@@ -18,12 +18,14 @@ static float number(int32_t bits) {
 #endif
 static double value_at(const int32_t* triangle, int channel, double x, double y) {
   double above = 0, below = 0;
+  const int interpolation =
+      vectors_channels[channel][0]; /* 0 flat, 1 linear, 2 perspective, 3 1/w */
+  if (interpolation == 0) return number(vectors_numbers[triangle[0]][1 + channel]);
   for (int i = 0; i < 3; ++i) {
     const int32_t *a = vectors_vertices[triangle[(i + 1) % 3]],
                   *b = vectors_vertices[triangle[(i + 2) % 3]],
                   *numbers = vectors_numbers[triangle[i]];
     const double area = (x - a[0]) * ((double)b[1] - a[1]) - (y - a[1]) * ((double)b[0] - a[0]);
-    const int interpolation = vectors_channels[channel][0]; /* 1 linear, 2 perspective, 3 1/w */
     const double over_w = area / number(numbers[0]);
     above += (interpolation == 1 || AFFINE ? area : over_w) * number(numbers[1 + channel]);
     below += interpolation == 2 && !AFFINE ? over_w : area;

@@ -40,6 +40,8 @@ module values;
       below = below + (channels[channel * channels_COLUMNS] == 2 ? over_w : area);
     end
     value_at = above / below;
+    if (channels[channel * channels_COLUMNS] == 0)  // flat: the first vertex's, if that is stated
+      value_at = number(numbers[triangles[t * triangles_COLUMNS] * numbers_COLUMNS + 1 + channel]);
   endfunction
 
   initial begin

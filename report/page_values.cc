@@ -32,17 +32,21 @@ constexpr auto kOfSlopes = std::to_array<std::string_view>(
     {"DerivativesStayWithinTheirError", "QuadDifferencesEqualDifferencesOfValues"});
 constexpr std::array<Question, 3> kQuestions{
     {{"Which interpolation may I trust, at what cost?",
-      "A promise that is stated and holds may be built on; one that is not asked is not stated.",
+      "Build on what is stated and holds: the stated error, and what is promised to the bit. What "
+      "a "
+      "form costs: the nanoseconds a pixel of the methods below are measured by bench, and shown "
+      "under \"Which interpolation may I trust\" of a page that has its figures.",
       kOfTrust},
      {"My texture swims: weights or division?",
-      "The cause says which: affine or exchanged weights, weights by w, a division that is "
-      "missing. "
-      "Values that hold while barycentrics fail are the barycentrics' fault, and the other way "
-      "round.",
+      "The cause says which. affine-weights, exchanged-weights and weights-by-w: the weights. "
+      "missing-division: the division. If all of these hold, it is neither: look at derivatives, "
+      "which choose the texture's level. Where values hold and barycentrics do not, only the "
+      "barycentrics are wrong, and the other way round.",
       kOfSwimming},
      {"Is my du/dx right?",
-      "The first property holds derivatives to the plane or the differences that are stated, the "
-      "second to the subject's own values.",
+      "Yes, if both hold. DerivativesStayWithinTheirError compares them with the plane's, or with "
+      "the differences over quads that the profile states; "
+      "QuadDifferencesEqualDifferencesOfValues compares them with the subject's own values.",
       kOfSlopes}}};
 
 const PropertyResult* ResultOf(const Certificate& certificate, std::string_view property) {
@@ -66,11 +70,10 @@ std::string LargestRatio(const PropertyResult& result) {
   return fmt::format("{:.3g}{}", ratio, is_in_ulps ? " ulps of 0" : "");
 }
 
-// The cause, or what was not asked; else what the run said.
+// The cause; else what the run said.
 std::string WordsOn(const Certificate& certificate, const PropertyResult& result) {
   const auto cause = certificate.causes.find(NameOf(result));
   if (cause != certificate.causes.end()) return cause->second;
-  if (result.outcome == Outcome::kNotApplicable) return "not asked: " + result.message;
   return Said(result);
 }
 
@@ -78,7 +81,7 @@ std::string AnswerRowsOf(const Certificate& certificate, const Question& questio
   std::string rows;
   for (const std::string_view property : question.properties) {
     const PropertyResult* const result = ResultOf(certificate, property);
-    if (result == nullptr) continue;
+    if (result == nullptr || result->outcome == Outcome::kNotApplicable) continue;
     rows += fmt::format(
         "<tr><th scope=\"row\" class=\"name\">{}</th><td><span "
         "class=\"name\">{}</span></td><td>{}</td>"
@@ -89,15 +92,36 @@ std::string AnswerRowsOf(const Certificate& certificate, const Question& questio
   return rows;
 }
 
+// What no row stands for: properties that do not apply, and why.
+std::string NotApplicableList(const std::vector<const Certificate*>& subjects,
+                              const Question& question) {
+  std::string items;
+  std::size_t count = 0;
+  for (const Certificate* one : subjects) {
+    for (const std::string_view property : question.properties) {
+      const PropertyResult* const result = ResultOf(*one, property);
+      if (result == nullptr || result->outcome != Outcome::kNotApplicable) continue;
+      ++count;
+      items +=
+          fmt::format("<li>{}, <span class=\"name\">{}</span>: not asked: {}</li>\n",
+                      Escaped(one->subject.name), Breakable(property), Escaped(result->message));
+    }
+  }
+  if (count == 0) return "";
+  return Folded(fmt::format("{} not asked, and why", Several(count, "verdict")),
+                "<ul class=\"plain\">\n" + items + "</ul>\n", false);
+}
+
 std::string Answers(const std::vector<const Certificate*>& subjects, const Question& question) {
   std::string rows;
   for (const Certificate* one : subjects) rows += AnswerRowsOf(*one, question);
-  if (rows.empty()) return "<p>None of the properties that decide it was asked.</p>\n";
+  const std::string rest = NotApplicableList(subjects, question);
+  if (rows.empty()) return "<p>None of the properties that decide it was asked.</p>\n" + rest;
   return "<div class=\"scroll\"><table class=\"sorts\"><thead><tr><th>subject</th><th>decided "
          "by</th>"
          "<th>verdict</th><th class=\"number\">error / allowed</th><th>cause, or what was said</th>"
          "</tr></thead><tbody>\n" +
-         rows + "</tbody></table></div>\n";
+         rows + "</tbody></table></div>\n" + rest;
 }
 
 std::string BoundText(const ValueMethodRow& row, std::size_t format) {
@@ -138,7 +162,9 @@ std::string MethodTable(const std::vector<ValueMethodRow>& methods) {
           "bound</th><th>to the bit</th><th>proof</th>{}</tr></thead><tbody>\n",
           has_cost ? "<th class=\"number\">ns a pixel</th>" : "") +
           rows + "</tbody></table></div>\n" +
-          ColumnKey({{"bound", "units of rounding times the condition, or ulps"},
+          ColumnKey({{"bound",
+                      "2^-24 (float64: 2^-53) times the condition of the value, or ulps: the most "
+                      "it is off"},
                      {"largest / bound", "the largest error that searches found, over the bound"},
                      {"to the bit", "equal values stay equal, vertices keep theirs, the hull"}}),
       true);

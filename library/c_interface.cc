@@ -99,6 +99,40 @@ RasterTarget TargetOf(const rasterproof_raster_target* given) {
       .back = SpanOf(static_cast<std::byte*>(target.back), target.back_size, "target.back")};
 }
 
+RasterValues ValuesOf(const rasterproof_raster_values* given, const RasterMesh& mesh) {
+  const rasterproof_raster_values& values = Required(given, "values");
+  if (values.channels < 1 || values.channels > kMostRasterChannels) {
+    throw InputError("values.channels", std::to_string(values.channels),
+                     "give 1 to " + std::to_string(kMostRasterChannels));
+  }
+  if (values.interpolation > RASTERPROOF_RASTER_LINEAR) {
+    throw InputError("values.interpolation", "there is no such one",
+                     "give one of rasterproof_raster_interpolation");
+  }
+  if (values.rounding > RASTERPROOF_RASTER_NEAREST) {
+    throw InputError("values.rounding", "there is no such one",
+                     "give one of rasterproof_raster_rounding");
+  }
+  const auto plane = [&values](float* of, const char* name) {
+    return SpanOf(of, values.size, name);
+  };
+  // NULL: not asked for.
+  const auto derivative = [&plane](float* of, const char* name) {
+    return of == nullptr ? std::span<float>() : plane(of, name);
+  };
+  return {.numbers =
+              SpanOf(values.numbers, library::VerticesOf(mesh) * values.channels, "values.numbers"),
+          .channels = static_cast<int>(values.channels),
+          .interpolation = static_cast<RasterInterpolation>(values.interpolation),
+          .rounding = static_cast<RasterRounding>(values.rounding),
+          .width = values.width,
+          .height = values.height,
+          .pitch = values.pitch,
+          .values = plane(values.values, "values.values"),
+          .dx = derivative(values.dx, "values.dx"),
+          .dy = derivative(values.dy, "values.dy")};
+}
+
 InstructionSet SetOf(std::uint32_t set) {
   if (set <= RASTERPROOF_RASTER_NEON) return static_cast<InstructionSet>(set);
   throw InputError("set", "there is no such set", "give one of rasterproof_raster_set");
@@ -169,6 +203,16 @@ rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_m
       if (on_span(state, &given) != 0) throw rasterproof::Stop();
     };
     rasterproof::Rasterize(rasterproof::MeshOf(mesh), width, height, call, rasterproof::SetOf(set));
+  });
+}
+
+rasterproof_raster_status rasterproof_rasterize_values(const rasterproof_raster_mesh* mesh,
+                                                       const rasterproof_raster_values* values,
+                                                       std::uint32_t set) {
+  return rasterproof::Guarded([&] {
+    const rasterproof::RasterMesh given = rasterproof::MeshOf(mesh);
+    rasterproof::RasterizeValues(given, rasterproof::ValuesOf(values, given),
+                                 rasterproof::SetOf(set));
   });
 }
 

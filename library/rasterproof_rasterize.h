@@ -122,6 +122,39 @@ rasterproof_raster_status rasterproof_rasterize_spans(const rasterproof_raster_m
                                                       rasterproof_raster_on_span on_span,
                                                       void* state, uint32_t set);
 
+/* `interpolation` and `rounding` below: see RasterInterpolation and RasterRounding. */
+enum rasterproof_raster_interpolation {
+  RASTERPROOF_RASTER_PERSPECTIVE = 0, /* of the triangle before the division by w */
+  RASTERPROOF_RASTER_LINEAR = 1       /* of its picture on the screen: noperspective */
+};
+enum rasterproof_raster_rounding {
+  RASTERPROOF_RASTER_FAST = 0,   /* in float, within kValueConditions of rasterize.h */
+  RASTERPROOF_RASTER_NEAREST = 1 /* the nearest float, ties to even; no derivatives */
+};
+
+/* Numbers of the vertices, and memory for those of the pixels: row y of channel c begins at number
+ * (c height + y) pitch of each plane. FAST takes numbers of at most 2^100, and at least 2^-100 or
+ * 0; NEAREST any finite ones. Where a vertex has a NaN or an infinity the triangle shows NaN. */
+typedef struct rasterproof_raster_values {
+  const float* numbers; /* `channels` of each vertex of the mesh */
+  uint32_t channels;    /* 1 to 64 */
+  uint32_t interpolation;
+  uint32_t rounding;
+  int32_t width; /* pixels, as height */
+  int32_t height;
+  size_t pitch; /* numbers from one row to the next, at least width */
+  float* values;
+  float* dx; /* d/dx and d/dy, a pixel; both or NULL */
+  float* dy;
+  size_t size; /* numbers in each plane: ((channels height) - 1) pitch + width at least */
+} rasterproof_raster_values;
+
+/* Writes the numbers of each covered pixel, of the last triangle that covers it; others stay as
+ * they are. BAD_ARGUMENT for what the above does not allow, or planes that overlap the mesh. */
+rasterproof_raster_status rasterproof_rasterize_values(const rasterproof_raster_mesh* mesh,
+                                                       const rasterproof_raster_values* values,
+                                                       uint32_t set);
+
 /* Writes 1 for each triangle that covers no pixel centre, 0 for each that does: a byte each. */
 rasterproof_raster_status rasterproof_raster_mark_empty(const rasterproof_raster_mesh* mesh,
                                                         int32_t width, int32_t height,

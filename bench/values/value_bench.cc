@@ -21,6 +21,7 @@
 #include "library/draw.h"
 #include "library/kernels/kernel.h"
 #include "library/kernels/kernel_table.h"
+#include "library/nearest_value.h"
 #include "library/rasterize.h"
 #include "reference/value_methods.h"
 
@@ -33,6 +34,18 @@ std::vector<const ValueKernels*> SupportedValueKernels() {
   if (IsSupported(InstructionSet::kAvx2)) supported.push_back(&kAvx2ValueKernels);
 #endif
   return supported;
+}
+
+float NearestValueOf(const ValueTriangle& triangle, int column, int row) {
+  library::ValueQuotient q{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    q.x[k] = triangle.x[k];
+    q.y[k] = triangle.y[k];
+    q.w[k] = triangle.w[k];
+    q.c[k] = triangle.a[k];
+    q.e[k] = 1;
+  }
+  return library::NearestValue(q, column + 0.5, row + 0.5);
 }
 
 namespace {
@@ -68,6 +81,10 @@ void SetBound(const std::string& name, ValueContender& contender) {
                               method->target == reference::ValueTarget::kValue &&
                               !name.starts_with("reciprocal-12");
   contender.is_derivative = name.ends_with("-difference");
+  if (name == kCorrectlyRounded) {
+    contender.bound.is_stated = true;
+    contender.bound.ulps = reference::kCorrectlyRoundedUlps;
+  }
   if (method == nullptr) return;
   contender.is_of_window = method->space == reference::ValueSpace::kWindow;
   contender.bound.about = static_cast<std::size_t>(method->about);
@@ -113,35 +130,38 @@ void AddKernels(const ValueKernels& kernels, std::string_view prefix, KernelDraw
   }
 }
 
-// The library draws coverage too: its floor is coverage with a constant stored.
+// The library's values of the same spans, onto its planes: coverage is known, and the floor is a
+// constant stored there.
 class LibraryDrawer {
  public:
-  LibraryDrawer(const ValueScene& scene, const ValueFamilyKind& kind)
+  LibraryDrawer(const ValueScene& scene, const ValueFamilyKind& kind, const ValueKernels& kernels)
       : scene_(scene),
         kind_(kind),
+        store_(kernels.store),
         values_(static_cast<std::size_t>(kind.width) * static_cast<std::size_t>(kind.height)),
         dx_(values_.size()),
-        dy_(values_.size()) {}
+        dy_(values_.size()) {
+    for (const ValueRun& run : scene.runs) {
+      spans_.push_back({run.triangle, true, run.row, run.x0, run.x1});
+    }
+  }
 
   void Floor() {
     drawn_ = {};
-    struct Plane {
-      float* first;
-      std::size_t pitch;
+    const auto on_span = [](const void* state, const library::kernels::KernelSpan& span) {
+      LibraryDrawer& self = **static_cast<LibraryDrawer* const*>(state);
+      const std::size_t row =
+          static_cast<std::size_t>(span.row) * static_cast<std::size_t>(self.kind_.width);
+      self.store_(self.values_.data() + row + span.x0, span.x1 - span.x0, 1.0F);
     };
-    const Plane plane{values_.data(), static_cast<std::size_t>(kind_.width)};
-    library::DrawSpans(
-        scene_.Mesh(), kind_.width, kind_.height, library::kernels::SupportedTargets().back(),
-        [](const void* state, const library::kernels::KernelSpan& span) {
-          const Plane& to = *static_cast<const Plane*>(state);
-          std::fill_n(to.first + static_cast<std::size_t>(span.row) * to.pitch + span.x0,
-                      span.x1 - span.x0, 1.0F);
-        },
-        &plane);
+    LibraryDrawer* const state = this;
+    ForEachSpan(on_span, static_cast<const void*>(&state));
   }
   void Draw(RasterRounding rounding, bool with_derivatives) {
     drawn_ = {};
-    RasterizeValues(scene_.Mesh(), In(scene_.numbers, rounding, with_derivatives));
+    library::DrawValues(scene_.Mesh(), In(scene_.numbers, rounding, with_derivatives),
+                        library::kernels::SupportedTargets().back(),
+                        [&](auto* on_span, const void* state) { ForEachSpan(on_span, state); });
   }
   // Pixels of one triangle are asked for one after the other: it is drawn once.
   float Show(const ExactValue& at, RasterRounding rounding, bool derivative) {
@@ -180,13 +200,20 @@ class LibraryDrawer {
     friend bool operator==(const Drawn&, const Drawn&) = default;
   };
 
+  void ForEachSpan(void (*on_span)(const void*, const library::kernels::KernelSpan&),
+                   const void* state) const {
+    for (const library::kernels::KernelSpan& span : spans_) on_span(state, span);
+  }
+
   const ValueScene& scene_;
   const ValueFamilyKind& kind_;
+  void (*store_)(float* to, int count, float value);
+  std::vector<library::kernels::KernelSpan> spans_;
   std::vector<float> values_, dx_, dy_;
   Drawn drawn_;
 };
 
-constexpr const char* kLibraryFloor = "coverage";
+constexpr const char* kLibraryFloor = "library-constant";
 
 void AddLibrary(LibraryDrawer& drawer, const std::string& target,
                 std::vector<ValueContender>& list) {
@@ -282,7 +309,7 @@ class Drawers {
  public:
   Drawers(const ValueScene& scene, const ValueFamilyKind& kind,
           const std::vector<const ValueKernels*>& kernels)
-      : kernels_(scene, kind.width), library_(scene, kind) {
+      : kernels_(scene, kind.width), library_(scene, kind, *kernels.front()) {
     for (const ValueKernels* of : kernels) {
       AddKernels(*of, of == kernels.front() ? "" : "reciprocal", kernels_, list_);
     }

@@ -7,7 +7,10 @@
 
 #include "bench/values/value_kernels.h"
 #include "bench/values/value_policies.h"
+#include "library/kernels/nearest_spans.h"
+#include "library/kernels/value_set_up.h"
 #include "library/kernels/value_spans.h"
+#include "library/kernels/value_table.h"
 #include "library/kernels/vectors.h"
 
 namespace rasterproof::library::kernels::HWY_NAMESPACE {
@@ -66,6 +69,60 @@ void WalkSteps(const ValueFrame& frame) {
   });
 }
 
+// What the library does with a channel of a triangle.
+class NearestFill {
+ public:
+  HWY_INLINE void SetUp(const ValueTriangle& t, const ValueRun& first) {
+    triangle_ = &t;
+    for (int k = 0; k < 3; ++k) {
+      corners_.x[k] = double{t.x[k]};
+      corners_.y[k] = double{t.y[k]};
+      corners_.w[k] = double{t.w[k]};
+    }
+    MoveCorners(first.x0, first.row, corners_);
+    SetUpCorners<true>(true, corners_);
+    n_ = {};
+    const double a[3] = {double{t.a[0]}, double{t.a[1]}, double{t.a[2]}};
+    for (int k = 0; k < 3; ++k) AddLine<true>(corners_.beta[k], a[k], n_);
+    BoundDenominator(true, corners_);
+    quick_ = QuickPlacesOf(corners_, n_, a);
+  }
+  HWY_INLINE void Fill(const ValueRun& run, float* value) const {
+    const ValueTriangle* const triangle = triangle_;
+    const int left = corners_.left;
+    const int row = run.row;
+    const auto decide = [triangle, left, row](int x) {
+      return NearestValueOf(*triangle, left + x, row);
+    };
+    const LocalSpan at(corners_, run.row, run.x0, run.x1);
+    const NearestLines lines{&n_, &corners_.d, corners_.r};
+    if (corners_.r != 0) {
+      DrawNearest<Divided::kByNumber>(lines, quick_, at, nullptr, value, decide);
+    } else {
+      DrawNearest<Divided::kByLine>(lines, quick_, at, nullptr, value, decide);
+    }
+  }
+
+ private:
+  const ValueTriangle* triangle_ = nullptr;
+  ValueSetUp corners_ = {};
+  ReachLine n_ = {};
+  int quick_ = 0;
+};
+
+inline void WalkNearest(const ValueFrame& frame) {
+  NearestFill fill;
+  std::uint32_t triangle = ~std::uint32_t{0};
+  for (std::size_t i = 0; i < frame.count; ++i) {
+    const ValueRun& run = frame.runs[i];
+    if (run.triangle != triangle) fill.SetUp(frame.triangles[run.triangle], run);
+    triangle = run.triangle;
+    fill.Fill(run, frame.row + run.x0);
+  }
+}
+
+inline void StoreOne(float* to, int count, float value) { FillRow(to, count, value); }
+
 #if HWY_TARGET <= HWY_AVX3
 #define RASTERPROOF_RECIPROCAL "reciprocal-14"
 #else
@@ -91,6 +148,7 @@ constexpr ValueKernel kValueKernels[] = {
     {"perspective-difference", &Walk<QuadDifferencePolicy<PerspectivePlanesPolicy<DF, PlainForm>>>},
     {"differences-f64", &Walk<DifferencesPolicy<DD, PlainForm>>},
     {"inverse-matrix-f64", &Walk<InverseMatrixPolicy<DD, ByDivision>>},
+    {bench::kCorrectlyRounded, &WalkNearest},
 };
 constexpr std::size_t kValueKernelCount = sizeof kValueKernels / sizeof kValueKernels[0];
 

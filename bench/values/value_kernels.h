@@ -37,8 +37,15 @@ struct ValueKernel {
 /// Stores a number a triangle: the floor, what the frame itself takes.
 inline constexpr const char* kValueFloor = "constant";
 
+/// The library's correctly rounded values in this frame (library/kernels/nearest_spans.h).
+inline constexpr const char* kCorrectlyRounded = "correctly-rounded";
+
+/// What that asks for where a double does not tell: exact.
+float NearestValueOf(const ValueTriangle& triangle, int column, int row);
+
 struct ValueKernels {
   const char* target;
+  void (*store)(float* to, int count, float value);  ///< as kernels store
   const ValueKernel* kernels;
   std::size_t count;
 };

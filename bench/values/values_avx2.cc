@@ -7,6 +7,7 @@ namespace rasterproof::bench {
 
 namespace simd = library::kernels::HWY_NAMESPACE;
 
-const ValueKernels kAvx2ValueKernels = {"avx2", simd::kValueKernels, simd::kValueKernelCount};
+const ValueKernels kAvx2ValueKernels = {"avx2", &simd::StoreOne, simd::kValueKernels,
+                                        simd::kValueKernelCount};
 
 }  // namespace rasterproof::bench

@@ -7,6 +7,7 @@ namespace rasterproof::bench {
 
 namespace simd = library::kernels::HWY_NAMESPACE;
 
-const ValueKernels kAvx512ValueKernels = {"avx512", simd::kValueKernels, simd::kValueKernelCount};
+const ValueKernels kAvx512ValueKernels = {"avx512", &simd::StoreOne, simd::kValueKernels,
+                                          simd::kValueKernelCount};
 
 }  // namespace rasterproof::bench

@@ -1,11 +1,15 @@
-// What passes between the library's values and the code of one SIMD target: rows of one triangle.
+// What passes between the library's values and the code of one SIMD target: spans, drawn onto
+// planes of numbers, triangle by triangle.
 //
 // Plain data, as kernel_table.h says why. Coverage is found by the kernels of spans and costs
 // what it does without values.
 #ifndef RASTERPROOF_LIBRARY_KERNELS_VALUE_TABLE_H_
 #define RASTERPROOF_LIBRARY_KERNELS_VALUE_TABLE_H_
 
+#include <cstddef>
 #include <cstdint>
+
+#include "library/kernels/kernel_table.h"
 
 namespace rasterproof::library::kernels {
 
@@ -14,36 +18,61 @@ struct ValuePlane {
   float a, b, c;
 };
 
-/// One channel over the columns [x0, x1) of a row.
-///
-/// value = n / d, and the derivatives (n.a - value d.a) / d and (n.b - value d.b) / d; n, n.a and
-/// n.b where it does not divide.
-struct ValueSpan {
-  ValuePlane n, d;
-  bool divides;
-  int row, x0, x1;
-  float* value;    ///< of column x0
-  float *dx, *dy;  ///< the same; nullptr: not asked for
+/// a x + b y + c in double, and the sums of the magnitudes of the products that make each up.
+struct ReachLine {
+  double a, b, c;
+  double a_reach, b_reach, c_reach;
 };
 
-/// The same, correctly rounded: n and d in double, (n_row + n_x x) / (d_row + d_x x).
-struct NearestSpan {
-  double n_x, n_row, d_x, d_row;
-  int x0, x1;
-  float* value;
-  /// The quotient may be off by so many of its last places: where a middle of two floats lies
-  /// among them, decide(state, column) tells the value.
-  std::int64_t doubt;
-  float (*decide)(const void* state, int column);
-  const void* state;
+/// Corners, and what is found of them: beta_i of exact/values.h and d.
+struct ValueSetUp {
+  int left, top;  ///< the corner of a pixel that (x, y) / w counts from
+  double x[3], y[3], w[3];
+  ReachLine beta[3];
+  ReachLine d;
+  double most_w;   ///< in size
+  double least_d;  ///< no covered pixel's |d| times most_w is less; 0: nothing is known
+  double r;        ///< 1 / d, where d is one number; else 0
 };
 
-/// Of the quotient in NearestSpan, relative, besides those of n and d.
-constexpr double kQuotientError = 0x1p-41;
+enum class ValueFill : std::uint8_t { kPlane, kNothing, kConstant };
 
+/// A channel of the triangle: value = n / d.
+struct ValueChannel {
+  ValueFill fill;
+  float constant;      ///< kConstant
+  ValuePlane plane;    ///< fast: n and d
+  ValuePlane d_plane;  ///< scaled alike; n / d itself where nothing divides
+  ReachLine n;         ///< nearest
+  int quick;           ///< places up to here, either way, keep kQuickShare (value_errors.h)
+};
+
+/// A drawing, and where it is.
+struct ValueDrawing {
+  const float* positions;
+  const std::uint32_t* indices;
+  std::size_t coordinates;  ///< of a position: 3, or 4 in clip space
+  const float* numbers;
+  std::size_t channels;
+  bool is_linear;
+  int width, height;
+  std::size_t pitch;
+  float* values;
+  float *dx, *dy;  ///< nullptr: not asked for
+
+  /// The nearest float32 at a centre, where a double's quotient does not tell it.
+  float (*decide)(const ValueDrawing& drawing, std::size_t channel, int column, int row);
+
+  ValueChannel* of_channels;  ///< as many
+  double* reciprocals;        ///< 1 / d of a row, width + 16 of them
+  std::uint32_t triangle;     ///< that is set up
+  ValueSetUp set_up;
+};
+
+/// Draw a span of the state, a ValueDrawing* const*.
 struct ValueTable {
-  void (*values)(const ValueSpan&);
-  void (*nearest)(const NearestSpan&);
+  void (*fast)(const void* state, const KernelSpan& span);
+  void (*nearest)(const void* state, const KernelSpan& span);
 };
 
 extern const ValueTable kScalarValues;

@@ -348,6 +348,45 @@ INSTANTIATE_TEST_SUITE_P(
                     std::tuple(RasterSpace::kClip, RasterInterpolation::kPerspective),
                     std::tuple(RasterSpace::kClip, RasterInterpolation::kLinear)));
 
+// A column of ties of which the denominator is another at each pixel: with w 1, 2^k, 1 the corner
+// in the middle has the weight 1/2 where x is 2^k / (1 + 2^k) of its own.
+TEST(RasterizeValues, RoundTiesInPerspectiveToEven) {
+  int ties = 0;
+  for (int k = 1; k <= 6; ++k) {
+    for (int column = 2; column < 60; ++column) {
+      const float w = std::ldexp(1.0F, k);
+      const float x = (static_cast<float>(column) + 0.5F) * (1 + 1 / w);
+      ValueMesh mesh{{0, 0, 0, 1, x * w, 0, 0, w, 0, 64, 0, 1}, {0, 1, 2}, {}, RasterSpace::kClip};
+      for (int corner = 0; corner < 3; ++corner) {
+        for (int c = 0; c < kTestChannels; ++c) {  // 1 + 2^-24, 1 + 3 2^-24, ...
+          mesh.numbers.push_back(1 + static_cast<float>(c + (corner == 1 ? 1 : 0)) * 0x1p-23F);
+        }
+      }
+      for (const int channels : {1, kTestChannels}) {
+        for (const InstructionSet set : kSetsOfValues) {
+          if (!IsSupported(set)) continue;
+          ValueMesh shown = mesh;
+          Planes planes;
+          RasterValues values =
+              In(shown, planes, RasterInterpolation::kPerspective, RasterRounding::kNearest);
+          if (channels == 1) shown.numbers = {mesh.numbers[0], mesh.numbers[3], mesh.numbers[6]};
+          values.numbers = shown.numbers;
+          values.channels = channels;
+          RasterizeValues(shown.Mesh(), values, set);
+          for (int c = 0; c < channels; ++c) {
+            const std::size_t at = static_cast<std::size_t>(c * kValuesHeight) * kTestPitch +
+                                   static_cast<std::size_t>(column);
+            ASSERT_EQ(planes.values[at], 1 + static_cast<float>((c + 1) / 2 * 2) * 0x1p-23F)
+                << k << ", " << column << ", " << static_cast<int>(set);
+            ++ties;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(ties, 1000);
+}
+
 TEST(RasterizeValues, NumbersThatAreNotFiniteGiveNaN) {
   ValueMesh mesh{{0, 0, 0, 20, 0, 0, 0, 20, 0}, {0, 1, 2}, {}, RasterSpace::kWindow};
   mesh.numbers = {1, 2, 3, 1, std::numeric_limits<float>::infinity(), 3, 1, 2, 3};

@@ -32,10 +32,10 @@ using bench::FamilySize;
 namespace kernels = library::kernels;
 namespace rivals = library::rivals;
 
-using Drawing = std::function<void()>;
+using DrawCall = std::function<void()>;
 struct Runner {
   std::string name;
-  Drawing draw;
+  DrawCall draw;
   double least = std::numeric_limits<double>::infinity();
 };
 
@@ -53,7 +53,7 @@ class Plugin {
     plugin_ = reinterpret_cast<const rasterproof_plugin* (*)()>(describe)();
   }
   /// Into the surface's own memory, so that all draw into the same.
-  Drawing On(const FamilyInput& family, kernels::Surface& surface) {
+  DrawCall On(const FamilyInput& family, kernels::Surface& surface) {
     vertices_.clear();
     for (const kernels::KernelVertex& v : family.vertices) {
       vertices_.insert(vertices_.end(), {v.x, v.y, 0.0, 1.0});

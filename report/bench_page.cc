@@ -44,37 +44,41 @@ Scene SceneOf(const BenchFamily& family, const BenchWitness& witness) {
   return scene;
 }
 
-struct Question {
+struct BenchQuestion {
   std::string_view text;
   std::string_view anchor;
   std::string_view where;
 };
 
-constexpr std::array kQuestions{
-    Question{"Which method is cheapest for what I need, at 1080p or 4K, snapped or not?", "which",
-             "the table of decisions: a row is a family of triangles, snapped-8 is snapping to "
-             "1/256"},
-    Question{"What is fastest at zero wrong samples?", "which",
-             "its first two columns, proved and seen"},
-    Question{"Why not double, or stepping, or snapping?", "advice", "textbook advice, measured"},
-    Question{"What does mine cost beside them?", "yours", "yours on the same inputs"},
-    Question{"What else is there, and how wrong is it?", "pareto",
-             "every method: choose family and error"},
-    Question{"Which interpolation may I trust? Is my du/dx right? Does my texture swim?",
-             "interpolation", "errors of values and derivatives, and the advice that they test"},
-    Question{"Where does a method end: large triangles, long walks, far from the origin?", "limits",
-             "a matrix of methods and parameters, then curves"},
-    Question{"What happens at w → 0?", "curve-w",
-             "curves over w, the column w of the matrix above them, and the family bunny-inside"},
-    Question{"How wrong can it get, and how do I see it?", "worst",
-             "worst known cases, each with a command"},
-    Question{"Which stage of a frame costs accuracy?", "stages", "an error budget"},
-    Question{"Does each method do what it states?", "verdicts", "the verdicts"}};
+constexpr std::array kBenchQuestions{
+    BenchQuestion{
+        "Which method is cheapest for what I need, at 1080p or 4K, snapped or not?", "which",
+        "the table of decisions: a row is a family of triangles, snapped-8 is snapping to "
+        "1/256"},
+    BenchQuestion{"What is fastest at zero wrong samples?", "which",
+                  "its first two columns, proved and seen"},
+    BenchQuestion{"Why not double, or stepping, or snapping?", "advice",
+                  "textbook advice, measured"},
+    BenchQuestion{"What does mine cost beside them?", "yours", "yours on the same inputs"},
+    BenchQuestion{"What else is there, and how wrong is it?", "pareto",
+                  "every method: choose family and error"},
+    BenchQuestion{"Which interpolation may I trust? Is my du/dx right? Does my texture swim?",
+                  "interpolation",
+                  "errors of values and derivatives, and the advice that they test"},
+    BenchQuestion{"Where does a method end: large triangles, long walks, far from the origin?",
+                  "limits", "a matrix of methods and parameters, then curves"},
+    BenchQuestion{
+        "What happens at w → 0?", "curve-w",
+        "curves over w, the column w of the matrix above them, and the family bunny-inside"},
+    BenchQuestion{"How wrong can it get, and how do I see it?", "worst",
+                  "worst known cases, each with a command"},
+    BenchQuestion{"Which stage of a frame costs accuracy?", "stages", "an error budget"},
+    BenchQuestion{"Does each method do what it states?", "verdicts", "the verdicts"}};
 
 // Only questions that the page answers.
 std::string Questions(const std::string& sections) {
   std::string html = "<nav class=\"questions\"><ul class=\"plain\">\n";
-  for (const Question& one : kQuestions) {
+  for (const BenchQuestion& one : kBenchQuestions) {
     const std::string anchor = fmt::format("id=\"{}\"", one.anchor);
     if (one.anchor != "verdicts" && sections.find(anchor) == std::string::npos) continue;
     html += fmt::format("<li><a href=\"#{}\">{}</a> <span class=\"why\">{}</span></li>\n",

@@ -32,7 +32,7 @@ std::vector<std::string> SaidOf(const CliffRow& row) {
   return said;
 }
 
-CliffRow RowOf(const BenchResult& bench, std::uint32_t method) {
+CliffRow CliffRowOf(const BenchResult& bench, std::uint32_t method) {
   CliffRow row{{method}, std::vector<std::vector<const BenchCliff*>>(bench.parameters.size())};
   for (const BenchCliff& cliff : bench.cliffs) {
     if (cliff.method == method) row.cells[cliff.parameter] = {&cliff};
@@ -43,7 +43,7 @@ CliffRow RowOf(const BenchResult& bench, std::uint32_t method) {
 std::vector<CliffRow> CliffRows(const BenchResult& bench) {
   std::vector<CliffRow> rows;
   for (std::uint32_t method = 0; method < bench.methods.size(); ++method) {
-    CliffRow row = RowOf(bench, method);
+    CliffRow row = CliffRowOf(bench, method);
     if (std::ranges::all_of(row.cells, [](const auto& cell) { return cell.empty(); })) continue;
     // The user's subject always has a separate row.
     const auto same = std::ranges::find_if(rows, [&](const CliffRow& other) {

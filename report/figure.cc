@@ -19,7 +19,7 @@ std::string Hex(Colour colour) {
 }
 
 // 1/100 of a pixel is finer than anyone sees.
-std::string Number(double value) {
+std::string Decimal(double value) {
   std::string text = fmt::format("{:.2f}", value);
   while (text.back() == '0') text.pop_back();
   if (text.back() == '.') text.pop_back();
@@ -27,12 +27,12 @@ std::string Number(double value) {
 }
 
 std::string Opacity(const Shape& shape, std::string_view attribute) {
-  return shape.opacity < 1 ? fmt::format(" {}=\"{}\"", attribute, Number(shape.opacity)) : "";
+  return shape.opacity < 1 ? fmt::format(" {}=\"{}\"", attribute, Decimal(shape.opacity)) : "";
 }
 
 std::string PolygonElement(const Shape& shape) {
   std::string points;
-  for (const Point2& p : shape.points) points += fmt::format("{},{} ", Number(p.x), Number(p.y));
+  for (const Point2& p : shape.points) points += fmt::format("{},{} ", Decimal(p.x), Decimal(p.y));
   if (!points.empty()) points.pop_back();
   return fmt::format("<polygon points=\"{}\" fill=\"{}\"{}/>", points, Hex(shape.colour),
                      Opacity(shape, "fill-opacity"));
@@ -46,15 +46,15 @@ std::string Element(const Shape& shape) {
     case ShapeKind::kLine:
       return fmt::format(
           "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{}/>",
-          Number(p.x), Number(p.y), Number(shape.points[1].x), Number(shape.points[1].y),
-          Hex(shape.colour), Number(shape.size), Opacity(shape, "stroke-opacity"));
+          Decimal(p.x), Decimal(p.y), Decimal(shape.points[1].x), Decimal(shape.points[1].y),
+          Hex(shape.colour), Decimal(shape.size), Opacity(shape, "stroke-opacity"));
     case ShapeKind::kDot:
-      return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>", Number(p.x),
-                         Number(p.y), Number(shape.size), Hex(shape.colour));
+      return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>", Decimal(p.x),
+                         Decimal(p.y), Decimal(shape.size), Hex(shape.colour));
     case ShapeKind::kText:
       return fmt::format(
           "<text x=\"{}\" y=\"{}\" font-size=\"{}\" fill=\"{}\" xml:space=\"preserve\">{}</text>",
-          Number(p.x), Number(p.y), Number(shape.size), Hex(shape.colour), Escaped(shape.text));
+          Decimal(p.x), Decimal(p.y), Decimal(shape.size), Hex(shape.colour), Escaped(shape.text));
   }
   return {};
 }
@@ -107,7 +107,7 @@ std::string FigureToSvg(const Figure& figure) {
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
       "{1}\" font-family=\"DejaVu Sans Mono, Menlo, Consolas, monospace\">\n",
-      Number(figure.width), Number(figure.height));
+      Decimal(figure.width), Decimal(figure.height));
   svg += fmt::format("<rect width=\"100%\" height=\"100%\" fill=\"{}\"/>\n", Hex(kPaper));
   for (const Shape& shape : figure.shapes) svg += Element(shape) + '\n';
   return svg + "</svg>\n";

@@ -14,12 +14,12 @@ namespace {
 // is E = 0 multiplied out. Interpolating from a far end would cancel: a.y + (c - a.x) dY/dX loses
 // all digits at a.y = 1e30. Here C is one difference of products, right to two roundings (Kahan's
 // fma form; Jeannerod, Louvet, Muller 2013), and the rest is as large as the box.
-struct Line {
+struct LineEquation {
   double a = 0;
   double b = 0;
   double c = 0;
 
-  Line(Point2 p, Point2 q) {
+  LineEquation(Point2 p, Point2 q) {
     // Ends beyond 2^400 are scaled so that products don't overflow.
     constexpr int kLargestExponent = 400;
     const double largest =
@@ -42,7 +42,7 @@ bool IsBetween(double x, double end0, double end1) {
 // The points where the segment enters or leaves the box, and its ends inside. A crossing that
 // rounding puts just outside a corner is pulled in, so that a diagonal through corners is not lost.
 std::vector<Point2> PointsOnBox(Point2 p, Point2 q, const ViewBox& box) {
-  const Line line(p, q);
+  const LineEquation line(p, q);
   const double slack = 1e-9 * (1 + box.x1 - box.x0 + box.y1 - box.y0);
   std::vector<Point2> points;
   for (const Point2 end : {p, q}) {

@@ -33,6 +33,9 @@ endfunction()
 rasterproof_install_compressed(cmake/package/rasterproof.1 rasterproof.1
   ${CMAKE_INSTALL_MANDIR}/man1)
 
+# The browser's page, if ./run web has built it.
+install(FILES build-web/passport.html DESTINATION ${CMAKE_INSTALL_DATADIR}/rasterproof OPTIONAL)
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_VENDOR rasterproof)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -53,7 +53,7 @@ std::string Failures(const Page& page) {
   std::size_t count = 0;
   for (const Picture& picture : page.pictures) {
     if (picture.subject.empty() || !picture.is_on_front) continue;
-    (count++ < kMostShown ? shown : folded) += FigureHtml(picture, "");
+    (count++ < kMostShown ? shown : folded) += FigureHtml(picture, "", page.playground);
   }
   if (folded.empty()) return shown;
   return shown + Folded(fmt::format("More pictures: {}", count - kMostShown), folded, false);
@@ -62,7 +62,7 @@ std::string Failures(const Page& page) {
 std::string Renders(const Page& page) {
   std::string html;
   for (const Picture& picture : page.pictures) {
-    if (picture.subject.empty()) html += FigureHtml(picture, "");
+    if (picture.subject.empty()) html += FigureHtml(picture, "", page.playground);
   }
   return html.empty() ? html : Folded("The scenes, drawn", html, false);
 }

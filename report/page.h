@@ -24,6 +24,8 @@ struct Picture {
   bool is_on_front = true;
   std::string file;     ///< where it lies, as a path from the page: "textbook/map.svg"
   std::string content;  ///< SVG or PNG
+  /// PlayFragment() of what failed; empty: the playground can't open it.
+  std::string fragment = {};
 };
 
 /// A way of interpolating, with its bound and the largest error / bound, in float32 and float64.
@@ -51,6 +53,9 @@ struct Page {
   std::vector<ValueMethodRow> value_methods = {};
   std::string surveys = {};    ///< a SurveySection, after the catalogue
   std::string folder = "out";  ///< where the page lies, as commands on it say
+  /// The address of the browser's page, in whose playground failures open: absolute, or from here.
+  /// Empty: there is none, and no link.
+  std::string playground = {};
 };
 
 /// The section on the files that `rasterproof survey --json` wrote into a folder: a matrix of their

@@ -82,13 +82,22 @@ std::string Command(std::string_view command) {
   return fmt::format("<pre><code>{}</code></pre>\n", words);
 }
 
-std::string FigureHtml(const Picture& picture, std::string_view above) {
+std::string FigureHtml(const Picture& picture, std::string_view above,
+                       std::string_view playground) {
   const std::string file = Escaped(fmt::format("{}{}", above, picture.file));
   return fmt::format(
       "<figure>\n<figcaption>{0}</figcaption>\n<div class=\"scroll{3}\"><a href=\"{1}\">"
-      "<img loading=\"lazy\" alt=\"{0}\" src=\"{1}\"></a></div>\n{2}</figure>\n",
+      "<img loading=\"lazy\" alt=\"{0}\" src=\"{1}\"></a></div>\n{2}{4}</figure>\n",
       Escaped(picture.caption), file, Command(picture.command),
-      picture.subject.empty() ? "" : " wide");
+      picture.subject.empty() ? "" : " wide", PlaygroundLink(playground, picture.fragment, above));
+}
+
+std::string PlaygroundLink(std::string_view playground, std::string_view fragment,
+                           std::string_view above) {
+  if (playground.empty() || fragment.empty()) return {};
+  const bool is_beside = playground.find(':') == std::string::npos;
+  return fmt::format("<p><a href=\"{}{}{}\">Open it in the playground</a></p>\n",
+                     is_beside ? above : "", Escaped(playground), fragment);
 }
 
 std::string Breakable(std::string_view name) {

@@ -37,9 +37,13 @@ std::string Folded(const std::string& summary, const std::string& body, bool is_
 std::string ColumnKey(const std::vector<std::pair<std::string_view, std::string_view>>& columns);
 /// A command to be typed again.
 std::string Command(std::string_view command);
-/// The picture, which opens by itself, with caption and command. `above` leads from the page that
-/// shows it to the page of all subjects: "" or "../".
-std::string FigureHtml(const Picture& picture, std::string_view above);
+/// The picture, which opens by itself, with caption, command and PlaygroundLink(). `above` leads
+/// from the page that shows it to the page of all subjects: "" or "../".
+std::string FigureHtml(const Picture& picture, std::string_view above,
+                       std::string_view playground = {});
+/// A link into Page::playground; nothing if there is none, or no fragment.
+std::string PlaygroundLink(std::string_view playground, std::string_view fragment,
+                           std::string_view above);
 /// Returns the text, with places to break a line within names: at humps, after colons.
 std::string Breakable(std::string_view name);
 /// The name, as a link to the subject's page if it has a folder.

@@ -9,6 +9,7 @@
 #include "fmt/format.h"
 #include "report/grounds.h"
 #include "report/page_parts.h"
+#include "report/play_link.h"
 #include "report/real_profile.h"
 #include "report/text.h"
 
@@ -44,6 +45,13 @@ bool Shows(const Picture& picture, const Certificate& certificate, const Propert
          picture.command == ReplayCommand(certificate, result);
 }
 
+// What opens the scene that was drawn.
+std::string FragmentOf(const Counterexample& found, const std::string& subject) {
+  Case drawn = found.value;
+  if (found.verdict.drawn != nullptr) drawn.scene = found.verdict.drawn->scene;
+  return PlayFragment(drawn, subject);
+}
+
 // What failed, where, and how to see it again.
 std::string Failure(const Page& page, const Certificate& certificate,
                     const PropertyResult& result) {
@@ -62,9 +70,11 @@ std::string Failure(const Page& page, const Certificate& certificate,
   const auto picture = std::ranges::find_if(
       page.pictures, [&](const Picture& one) { return Shows(one, certificate, result); });
   if (picture != page.pictures.end()) {
-    html += FigureHtml(*picture, "../");
+    html += FigureHtml(*picture, "../", page.playground);
   } else if (result.counterexample || certificate.replay.contains(NameOf(result))) {
     html += Command(ReplayCommand(certificate, result));
+    if (const auto& found = result.counterexample)
+      html += PlaygroundLink(page.playground, FragmentOf(*found, certificate.subject.name), "../");
   }
   return html + "</article>\n";
 }
@@ -76,7 +86,7 @@ std::string Failures(const Page& page, const Certificate& certificate) {
         certificate.tested,
         [&](const PropertyResult& result) { return Shows(picture, certificate, result); });
     if (picture.subject == certificate.subject.name && !is_of_case)
-      html += FigureHtml(picture, "../");
+      html += FigureHtml(picture, "../", page.playground);
   }
   for (const PropertyResult& result : certificate.tested) {
     if (IsFailure(result, certificate.fail_on)) html += Failure(page, certificate, result);

@@ -164,6 +164,9 @@ void AddCertify(CLI::App& app, Run& run, const std::string& own) {
   verb->add_option("--survey", options.survey, "Folder of survey --json files to show on the page");
   verb->add_flag("--catalogue", options.catalogue,
                  "Add the families of stiff cases: a matrix, a page per family, catalogue.json");
+  verb->add_option("--browser", options.browser,
+                   "Address of the browser's page, in which failures open")
+      ->default_str("a copy beside the report, if the page is installed");
   AddSeed(of_a_run, options.campaign.seed);
   of_a_run
       ->add_option_function<std::string>(

@@ -29,6 +29,7 @@
 #include "subjects/builtin/builtin.h"
 #include "subjects/mutants/mutants.h"
 #include "tool/bench/cmd_bench.h"
+#include "tool/browser/cmd_browser.h"
 #include "tool/case/cmd_case.h"
 #include "tool/case_choice.h"
 #include "tool/certify/shard.h"
@@ -285,6 +286,12 @@ void AddDoctor(CLI::App& app, Run& run) {
   verb->callback([&run] { run = [] { return RunDoctor(); }; });
 }
 
+void AddBrowser(CLI::App& app, Run& run) {
+  CLI::App* verb =
+      app.add_subcommand("browser", "Open the page that judges a GPU by WebGL2 or WebGPU");
+  verb->callback([&run] { run = [] { return RunBrowser(); }; });
+}
+
 // A standard file that the caller closed would give its number to the next file that is opened.
 // Nothing is to be read there and nothing to be written; only complaints may get lost.
 void OpenStandardFiles() {
@@ -386,6 +393,7 @@ int Parse(int argc, char** argv, const std::string& own) {
   AddInfer(app, run, own);
   AddCertify(app, run, own);
   AddList(app, run);
+  AddBrowser(app, run);
   end_group("Every day");
   AddSceneVerbs(app, run);
   end_group("One scene");

@@ -106,7 +106,8 @@ class Names(unittest.TestCase):
         groups = [(group, [line.split()[0] for line in lines.splitlines()])
                   for group, lines in blocks]  # fmt: skip
         self.assertEqual(groups, [
-            ("Every day", ["check", "explain", "replay", "infer", "certify", "list"]),
+            ("Every day", ["check", "explain", "replay", "infer", "certify", "list",
+                           "browser"]),
             ("One scene", ["coverage", "legal", "plan"]),
             ("Campaign", ["compare", "survey", "bench", "climb", "sweep", "pipe", "vectors"]),
             ("Development", ["convert", "selftest", "widths", "doctor"])])  # fmt: skip

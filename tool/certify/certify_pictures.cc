@@ -12,9 +12,11 @@
 #include "core/result.h"
 #include "fmt/format.h"
 #include "io/image.h"
+#include "props/run/failure_view.h"
 #include "reference/method.h"
 #include "reference/rasterize.h"
 #include "report/picture.h"
+#include "report/play_link.h"
 #include "tool/certify/certify.h"
 #include "tool/failure.h"
 #include "tool/file_names.h"
@@ -71,7 +73,8 @@ std::optional<report::Picture> Explained(const report::Certificate& certificate,
                            name,
                            false,
                            certificate.folder + "/" + file + ".svg",
-                           report::ExplanationToSvg(explanation)};
+                           report::ExplanationToSvg(explanation),
+                           report::PlayFragment(props::AsDrawn(c, verdict), name)};
   } catch (const InputError&) {
     // It drew the scene before and refuses it now: the certificate remains valid, and the page has
     // one picture less.

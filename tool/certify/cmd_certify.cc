@@ -25,6 +25,7 @@
 #include "report/grounds.h"
 #include "report/page.h"
 #include "report/text.h"
+#include "tool/browser/cmd_browser.h"
 #include "tool/certify/certify.h"
 #include "tool/certify/part_file.h"
 #include "tool/certify/shard.h"
@@ -151,6 +152,20 @@ void WriteCatalogue(const std::string& output, const report::Catalogue& catalogu
     if (const auto& picture = catalogue.pictures[k]) io::WriteFile(path + ".svg", picture->svg);
   }
   io::WriteFile(output + "/catalogue.json", report::ComparisonToJson(catalogue.table));
+}
+
+// Where failures open. The browser's page is copied beside the report, so that both can be moved;
+// where it isn't installed there is no link.
+std::string PlaygroundOf(const CertifyOptions& options,
+                         const std::vector<report::Certificate>& certificates) {
+  if (!options.browser.empty()) return options.browser;
+  const bool is_violated = std::ranges::any_of(certificates, [](const report::Certificate& one) {
+    return report::OverallOf(one).outcome == Outcome::kViolated;
+  });
+  const auto installed = FindBrowserPage();
+  if (!is_violated || !installed) return {};
+  io::WriteFile(options.output + "/" + kBrowserPage, io::ReadFile(*installed));
+  return kBrowserPage;
 }
 
 // The page of all subjects comes last: what it leads to and shows is then there, each file whole.
@@ -350,6 +365,7 @@ void RequireForAPart(const CertifyOptions& options) {
   if (options.catalogue) refuse("--catalogue", "give it to --merge, which makes the page");
   if (!options.bench.empty()) refuse("--bench", "give it to --merge, which makes the page");
   if (!options.survey.empty()) refuse("--survey", "give it to --merge, which makes the page");
+  if (!options.browser.empty()) refuse("--browser", "give it to --merge, which makes the page");
   if (options.range && !options.shard.empty()) {
     refuse("--shard beside it", "give --cases N with --shard, or --cases A..B alone");
   }
@@ -391,6 +407,7 @@ int Certify(const CertifyOptions& options, const Source& source) {
       WriteCertificate(options.output, certificate);
     }
     if (failure) std::rethrow_exception(failure);
+    page.playground = PlaygroundOf(options, page.certificates);
     page.value_methods = ValueMethodRows();
     if (!Interrupted()) ExplainValues(page.certificates, progress);
     if (!Interrupted()) page.pictures = TakePictures(scenes, page.certificates, progress);

@@ -28,6 +28,7 @@ struct CertifyOptions {
   std::string output = "out";
   std::string bench;       ///< bench --json file for the page; empty: none
   std::string survey;      ///< folder of survey --json files for the page; empty: none
+  std::string browser;     ///< address of the browser's page; empty: a copy beside the report
   bool catalogue = false;  ///< the matrix of stiff and extreme cases on the page
   props::CampaignOptions campaign;
   /// Only these cases, as a part; `campaign.cases` is ignored.

@@ -8,11 +8,10 @@
 
 namespace rasterproof {
 
-/// FNV-1a of 64 bits.
+/// FNV-1a of 64 bits, of a text after that of `hash`.
 ///
 /// Source:     http://www.isthe.com/chongo/tech/comp/fnv/
-constexpr std::uint64_t Fnv1a(std::string_view text) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
+constexpr std::uint64_t Fnv1a(std::string_view text, std::uint64_t hash = 0xcbf29ce484222325U) {
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
   return hash;
 }

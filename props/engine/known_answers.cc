@@ -79,10 +79,8 @@ KnownAnswers::KnownAnswers(const SubjectInfo& info, RoundSize size, Spelling spe
 // Two hashes of one text, begun in different states: as good as 128 bits, if they are independent,
 // which is supposed and not proved.
 KnownAnswers::Key KnownAnswers::KeyOf(const DrawJob& job) const {
-  std::string text = spelling_(job);
-  const std::uint64_t first = Fnv1a(text);
-  text.insert(0, "2");
-  return {first, Fnv1a(text)};
+  const std::string text = spelling_(job);
+  return {Fnv1a(text), Fnv1a(text, Fnv1a("2"))};
 }
 
 bool KnownAnswers::Learn(const DrawJob& job, const DrawOutcome& outcome) {

@@ -13,12 +13,12 @@ namespace rasterproof::props {
 /// The distance is taken along the line of samples (a row for a steep edge, a column for a flat
 /// one) and in steps of the input lattice at the sample: ulps of its coordinate in the scene's
 /// precision, or subpixels of the profile; rounded to whole steps. "On" is exact; the other classes
-/// are counted from a long double estimate only where its error bound leaves no doubt.
+/// are counted from an estimate, long double where a double leaves doubt, within its error bound.
 /// Domain:     any case. Vertices are snapped by the profile first; triangles that are not finite,
 ///             or clip space with a w that is not positive, are left out, as are triangles after
 ///             the first 64.
-/// Cost:       one long double division for each edge and line of samples, and an exact sign for a
-///             sample within the estimate's error.
+/// Cost:       some operations in double for each edge and line of samples, in long double where a
+///             double leaves doubt, and an exact sign for a sample within the estimate's error.
 NearEdgeCounts CountNearEdges(const Case& c);
 
 }  // namespace rasterproof::props

@@ -156,7 +156,7 @@ function unpackRequests(bytes) {
 
 function packAnswers(answers) {
   const parts = answers.map((answer) => {
-    if (answer.counts) return { how: 0, words: Int32Array.from(answer.counts) };
+    if (answer.counts) return { how: 0, words: answer.counts };
     const how = answer.refused !== undefined ? 1 : 2;
     const text = new TextEncoder().encode(answer.refused ?? answer.fault ?? "no answer");
     const words = new Int32Array(Math.ceil(text.length / 4));
@@ -189,7 +189,7 @@ async function answerTo(draw, request) {
 export async function check(draw, profile = "real", options = {}) {
   const { onProgress, ...asked } = options;
   const engine = await Engine.create();
-  engine.open({ ...asked, profile });
+  engine.open({ causes: true, ...asked, profile });
   for (let requests = engine.next(); requests.length > 0; requests = engine.next()) {
     const answers = [];
     for (const request of requests) answers.push(await answerTo(draw, request));
@@ -230,6 +230,7 @@ export function describe(result) {
     lines.push(`  expected ${failure.expected}, drawn ${failure.actual}`);
     lines.push(`  case ${JSON.stringify(failure.case)}`);
   }
+  for (const { text } of result.causes) lines.push(`cause: ${text}`);
   if (result.outcome === "inconclusive") {
     const open = result.properties.filter((property) => property.outcome === "inconclusive");
     for (const property of open) lines.push(`${property.property}: ${property.message}`);

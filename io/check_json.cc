@@ -82,6 +82,14 @@ void WriteFailure(JsonWriter& json, const std::string& subject, const SubjectInf
   json.EndObject();
 }
 
+void WriteCause(JsonWriter& json, const CheckedCause& cause) {
+  json.BeginObject().Key("cause").Text(cause.name).Key("text").Text(cause.text);
+  json.Key("wrong_scenes").Integer(cause.wrong_scenes).Key("too_few").Bool(cause.is_too_few);
+  json.Key("properties").BeginArrayLine();
+  for (const std::string& property : cause.properties) json.Text(property);
+  json.EndArray().EndObject();
+}
+
 void WriteProperty(JsonWriter& json, const CheckedProperty& checked) {
   const PropertyResult& result = checked.result;
   json.BeginObjectLine().Key("property").Text(result.property);

@@ -3,8 +3,10 @@
 #ifndef RASTERPROOF_IO_CHECK_JSON_H_
 #define RASTERPROOF_IO_CHECK_JSON_H_
 
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 #include "core/subject_info.h"
@@ -30,6 +32,15 @@ struct CheckedProperty {
 /// Domain:     a result with a counterexample.
 void WriteFailure(JsonWriter& json, const std::string& subject, const SubjectInfo& info,
                   const CheckedProperty& checked, const std::function<void()>& more = {});
+/// An item of `causes`.
+struct CheckedCause {
+  std::string name;
+  std::string text;
+  std::size_t wrong_scenes = 0;
+  bool is_too_few = false;
+  std::vector<std::string> properties;
+};
+void WriteCause(JsonWriter& json, const CheckedCause& cause);
 /// Writes an item of `properties`.
 void WriteProperty(JsonWriter& json, const CheckedProperty& checked);
 

@@ -11,8 +11,8 @@
 #include "io/json_document.h"
 #include "io/output.h"
 #include "props/cause/cause.h"
+#include "props/cause/cause_text.h"
 #include "props/property.h"
-#include "tool/check/causes.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -131,7 +131,7 @@ void ApplyKnownFailures(const std::vector<KnownFailure>& known, year_month_day t
       is_judged = is_judged || finding.result.outcome == Outcome::kHolds;
       if (finding.result.outcome != Outcome::kViolated) continue;
       const std::string cause =
-          finding.cause ? NameOfCause(found.causes.all[*finding.cause]) : std::string();
+          finding.cause ? props::NameOfCause(found.causes.all[*finding.cause]) : std::string();
       if (!entry.cause.empty() && cause != entry.cause) continue;
       is_violated = true;
       finding.is_known = true;

@@ -38,16 +38,35 @@ std::optional<Trial> TryAnswered(KnownAnswers& answers, const Property& property
   return answers.missed() == before ? std::optional(std::move(trial)) : std::nullopt;
 }
 
-// Wants the questions of all checks of the case, whatever comes of the first ones.
-void AskAll(KnownAnswers& answers, const Property& property, const Case& c) {
-  const Description description = DescriptionOf(answers);
-  const CaseJudge hand(property, c, description);
-  if (hand.IsDone()) return;
-  for (const Check& check : hand.AllChecks()) {
+// Wants the questions of checks, whatever comes of those before them.
+void AskAll(KnownAnswers& answers, const PlacedCase& placed, std::span<const Check> checks) {
+  for (const Check& check : checks) {
     const Check alone{check.questions, {}};
-    const Request request{&hand.Placed(), &alone, nullptr};
+    const Request request{&placed, &alone, nullptr};
     Submit(answers, {&request, 1});
   }
+}
+
+// Judges as far as the answers reach, as TryCase(), and wants what is missing. Adds the oracle's
+// decisions that judging took.
+//
+// Returns:    whether the judge is done.
+bool JudgeAnswered(KnownAnswers& answers, CaseJudge& judge, TierCounts& tiers) {
+  return WorkedOut(judge.place(), [&] {
+    while (!judge.IsDone()) {
+      const exact::TierScope scope;
+      const std::uint64_t before = answers.missed();
+      const Request next = judge.Next();
+      Answers seen = std::move(Submit(answers, {&next, 1}).front());
+      if (answers.missed() != before) {
+        AskAll(answers, judge.Placed(), judge.LaterChecks());
+        return false;
+      }
+      judge.Take(std::move(seen));
+      tiers += scope.Counts();
+    }
+    return true;
+  });
 }
 
 bool EndsTheRun(const Trial& trial) {
@@ -73,7 +92,8 @@ bool PulledShrinking::GoOn(KnownAnswers& answers) {
   if (!property_.draws_own_scenes) {
     const auto fails = [&](const Case& candidate) { return Fails(answers, candidate); };
     const auto want = [&](const Case& candidate) {
-      AskAll(answers, property_, candidate);
+      const CaseJudge judge(property_, candidate, DescriptionOf(answers));
+      AskAll(answers, judge.Placed(), judge.AllChecks());
       return answers.HasRoom() && answers.wanted() < wanted + answers.size().of_a_shrinking;
     };
     smallest = Foresee(failing_, {fails, want}, budget_);
@@ -117,33 +137,34 @@ PulledCheck::PulledCheck(const Property& property, CampaignOptions options)
     : property_(property), options_(WithoutClock(std::move(options))), end_(options_.cases) {}
 PulledCheck::~PulledCheck() = default;
 
-std::optional<PulledCheck::Judged> PulledCheck::Try(KnownAnswers& answers,
-                                                    std::uint64_t number) const {
-  const Case c = cases_->Draw(number);
-  const exact::TierScope scope;
-  std::optional<Trial> trial = TryAnswered(answers, property_, c);
-  if (trial) return Judged{*std::move(trial), scope.Counts()};
-  AskAll(answers, property_, c);
-  return std::nullopt;
-}
+// A case under judgement. Its checks are made once, however many rounds its answers take.
+struct PulledCheck::Waiting {
+  Waiting(std::uint64_t place, const Property& property, const Case& c, const Description& subject)
+      : number(place), judge(property, c, subject), tiers(scope.Counts()) {}
+
+  std::uint64_t number;
+  exact::TierScope scope;  ///< of the judge's making
+  CaseJudge judge;
+  TierCounts tiers;
+};
 
 // Returns whether every case is judged up to the one that ends the run.
 bool PulledCheck::JudgeCases(KnownAnswers& answers) {
-  std::vector<std::uint64_t> waiting;
-  const auto judge = [&](std::uint64_t number) {
-    judged_[number] = Try(answers, number);
-    if (!judged_[number]) return waiting.push_back(number);
-    if (EndsTheRun(judged_[number]->trial)) end_ = std::min(end_, number + 1);
+  const auto is_done = [&](Waiting& one) {
+    if (!JudgeAnswered(answers, one.judge, one.tiers)) return false;
+    judged_[one.number] = Judged{one.judge.Result(), one.tiers};
+    if (EndsTheRun(one.judge.Result())) end_ = std::min(end_, one.number + 1);
+    return true;
   };
-  for (const std::uint64_t number : waiting_) {
-    if (number < end_) judge(number);
-  }
+  waiting_.remove_if([&](Waiting& one) { return one.number >= end_ || is_done(one); });
+  const Description description = DescriptionOf(answers);
   while (judged_.size() < end_ && answers.HasRoom()) {
+    const std::uint64_t number = judged_.size();
     judged_.emplace_back();
-    judge(judged_.size() - 1);
+    waiting_.emplace_back(number, property_, cases_->Draw(number), description);
+    if (is_done(waiting_.back())) waiting_.pop_back();
   }
-  waiting_ = std::move(waiting);
-  std::erase_if(waiting_, [&](std::uint64_t number) { return number >= end_; });
+  waiting_.remove_if([&](const Waiting& one) { return one.number >= end_; });
   return waiting_.empty() && judged_.size() >= end_;
 }
 
@@ -200,9 +221,10 @@ PulledShrink::PulledShrink(const Property& property, Case failing, const Campaig
 
 bool PulledShrink::GoOn(KnownAnswers& answers) {
   if (result_) return true;
-  const std::optional<Trial> trial = TryAnswered(answers, property_, failing_);
-  if (!trial) AskAll(answers, property_, failing_);
-  const bool may_fail = !trial || trial->verdict.outcome == Outcome::kViolated;
+  CaseJudge judge(property_, failing_, DescriptionOf(answers));
+  TierCounts tiers;
+  const bool may_fail =
+      !JudgeAnswered(answers, judge, tiers) || judge.Result().verdict.outcome == Outcome::kViolated;
   if (may_fail && !shrinking_.GoOn(answers)) return false;
   const std::uint64_t before = answers.missed();
   Counterexample found = ShrinkFailing(answers, property_, failing_, options_);

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -91,21 +92,21 @@ class PulledCheck final : public PulledWork {
 
  private:
   class Cases;
+  struct Waiting;
   struct Judged {
     Trial trial;
     TierCounts tiers;
   };
 
   bool JudgeCases(KnownAnswers& answers);
-  std::optional<Judged> Try(KnownAnswers& answers, std::uint64_t number) const;
   std::vector<Trial> Given(std::span<const Case> cases, std::size_t& given) const;
 
   const Property& property_;
   CampaignOptions options_;
   std::unique_ptr<Cases> cases_;
   std::deque<std::optional<Judged>> judged_;  ///< by the number of the case; nothing: it waits
-  std::vector<std::uint64_t> waiting_;
-  std::uint64_t end_;  ///< one past the case that ends the run
+  std::list<Waiting> waiting_;                ///< in the order of their numbers
+  std::uint64_t end_;                         ///< one past the case that ends the run
   std::optional<PulledShrinking> shrinking_;
   std::optional<PropertyResult> result_;
 };

@@ -64,7 +64,7 @@ class CaseJudge {
   /// Places the case and makes the property's checks for it. It may be done at once, because the
   /// gate refuses the case or the property has no checks for it: Result() says why.
   ///
-  /// Domain:     a property that asks, and a description; both outlive this.
+  /// Domain:     a property that asks, and outlives this; so does what the description points to.
   /// Error:      JudgingFault.
   CaseJudge(const Property& property, const Case& c, const Description& subject);
   CaseJudge(const CaseJudge&) = delete;
@@ -93,6 +93,14 @@ class CaseJudge {
 
   /// Returns all checks, in order, judged or not.
   const std::vector<Check>& AllChecks() const { return checks_.checks; }
+  /// Returns the checks after the next one.
+  ///
+  /// Domain:     not done.
+  std::span<const Check> LaterChecks() const {
+    return std::span(checks_.checks).subspan(next_ + 1);
+  }
+  /// Returns PlaceOfFault() of the case.
+  const std::string& place() const { return place_; }
   const PlacedCase& Placed() const { return placed_; }
 
  private:

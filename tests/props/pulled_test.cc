@@ -17,6 +17,8 @@
 
 #include "core/error.h"
 #include "io/case_file.h"
+#include "props/cause/cause_text.h"
+#include "props/engine/pulled_causes.h"
 #include "props/engine/pulled_infer.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
@@ -261,6 +263,24 @@ TEST(PulledEngine, ShrinksAsReplayDoes) {
       engine.Add(std::make_unique<PulledShrink>(property, failing, Options()));
   EXPECT_LE(Pull(engine, far), 15);
   ExpectSame(shrink.result(), ShrinkFailing(far, property, failing, Options()));
+}
+
+TEST(PulledEngine, FindsTheCausesThatADirectSearchFinds) {
+  AtAFarEnd far("mutant:snap-truncates");
+  const PropertyResult result = RunCampaign(far, Named("CoverageEqualsTheModel"), Options());
+  const std::vector<FailedProperty> failures{FailedBy(result, far.Info()).value()};
+  bool is_known = false;
+  PulledEngine engine(far.Info());
+  const PulledCauses& pulled = engine.Add(std::make_unique<PulledCauses>(
+      [&] { return std::exchange(is_known, true) ? std::optional(failures) : std::nullopt; }));
+  EXPECT_TRUE(engine.Next().empty());
+  EXPECT_LE(Pull(engine, far), 10);
+  const Causes direct = FindCauses(
+      [] { return std::make_unique<AtAFarEnd>("mutant:snap-truncates"); }, failures, 1000);
+  ASSERT_EQ(pulled.result().all.size(), 1U);
+  ASSERT_EQ(direct.all.size(), 1U);
+  EXPECT_EQ(NameOfCause(pulled.result().all[0]), "truncation");
+  EXPECT_EQ(CauseText(pulled.result().all[0], pulled.result()), CauseText(direct.all[0], direct));
 }
 
 TEST(PulledEngine, InfersAsInferDoes) {

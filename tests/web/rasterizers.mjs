@@ -1,5 +1,5 @@
 // Rasterizers in JavaScript, right and wrong ones, and two methods of the module.
-// Each: { profile, info, make }, where make() gives draw(request).
+// Each: { profile, takes, causes, make }, where make() gives draw(request).
 
 import { Engine } from "../../web/npm/index.mjs";
 
@@ -83,7 +83,8 @@ async function byMethod(method) {
 export const rasterizers = {
   right: { profile: "d3d11-canonical", takes: ["window"], make: () => snapped(8, topLeft) },
   "bottom-right": { profile: "vulkan", takes: ["window"], make: () => snapped(8, (x, y) => !topLeft(x, y)) },
-  "half-bits": { profile: "d3d11", takes: ["window"], make: () => snapped(4, topLeft) },
+  // The search for causes draws much: of one.
+  "half-bits": { profile: "d3d11", takes: ["window"], causes: true, make: () => snapped(4, topLeft) },
   open: { profile: "real", takes: ["window"], make: () => byPixels(open) },
   stepped: { profile: "real", takes: ["window"], make: () => byMethod("f32-incremental") },
   homogeneous: { profile: "real", takes: ["clip"], make: () => byMethod("hom-scaled-f32") },

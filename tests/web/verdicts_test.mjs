@@ -31,7 +31,7 @@ async function byCommand(name, rasterizer) {
     `command ${process.execPath} ${program} ${name} ${wasm}\n` +
       `takes ${rasterizer.takes.join(" ")}\nprofile ${rasterizer.profile}\n`,
   );
-  const options = ["check", "--subject", file, "--cases", values.cases, "--no-cause", "--memory-limit", "0", "--json", "-"];
+  const options = ["check", "--subject", file, "--cases", values.cases, ...(rasterizer.causes ? ["--cause-seconds", "1000"] : ["--no-cause"]), "--memory-limit", "0", "--json", "-"];
   for (const property of values.property ?? []) options.push("--property", property);
   const found = await promisify(execFile)(command, options, { maxBuffer: 1 << 30 }).catch((error) => {
     if (error.code === 1 || error.code === 4) return error;
@@ -43,19 +43,21 @@ async function byCommand(name, rasterizer) {
 
 function byModule(rasterizer, draw) {
   const { profile, takes } = rasterizer;
-  const options = { cases: +values.cases, subject: { takes } };
+  const options = { cases: +values.cases, subject: { takes }, causes: rasterizer.causes ?? false };
   if (values.property) options.properties = values.property;
   return check(draw, profile, options);
 }
 
 // What both say, but of some properties; names of subjects and commands are each its own.
-function compared({ status, failures, properties, unasked }, apart) {
+function compared({ status, failures, causes, properties, unasked }, apart, hasAll) {
   const of = (list) => list.filter(({ property }) => !apart.includes(property));
-  const plain = of(failures).map(({ next, cause, picture, clauses, ...failure }) => {
+  const plain = of(failures).map(({ next, picture, clauses, ...failure }) => {
     const { subject, ...file } = failure.case;
     return { ...failure, case: file };
   });
-  return { status, failures: plain, properties: of(properties), unasked };
+  // What is left out there adds draws to the search for causes here.
+  const found = hasAll ? causes : causes.map(({ cause }) => cause);
+  return { status, failures: plain, causes: found, properties: of(properties), unasked };
 }
 
 // The answers of a module's rounds have no order: it leaves out what needs one.
@@ -72,14 +74,15 @@ try {
     const inCommand = await byCommand(name, rasterizer);
     const [module, native] = [between - begun, performance.now() - between].map((ms) => ms / 1000);
     const apart = needOrder(inModule);
+    const hasAll = !inCommand.failures.some(({ property }) => apart.includes(property));
     const text = (found) =>
-      JSON.stringify(compared(found, apart), null, 1).replaceAll(`${join(folder, name)}.subject`, "subject");
+      JSON.stringify(compared(found, apart, hasAll), null, 1).replaceAll(`${join(folder, name)}.subject`, "subject");
     assert.equal(text(inModule), text(inCommand), name);
     const cases = inModule.properties.reduce((sum, property) => sum + property.cases, 0);
     const judged = inModule.properties.filter((property) => property.cases > 0).length;
     console.log(
       `${name}: ${inModule.outcome}, ${inModule.failures.length} failures of ${judged} properties, ` +
-        `${cases} cases, ${apart.length} left out; module ${module.toFixed(1)} s, command ${native.toFixed(1)} s`,
+        `${cases} cases, ${apart.length} left out, causes: ${inModule.causes.map(({ cause }) => cause).join(", ") || "none"}; module ${module.toFixed(1)} s, command ${native.toFixed(1)} s`,
     );
   }
 } finally {

@@ -1,12 +1,16 @@
 #include "tool/check/check_json.h"
 
+#include <string>
+#include <utility>
+#include <vector>
+
 #include "io/case_file.h"
 #include "io/check_json.h"
 #include "io/json_writer.h"
+#include "props/cause/cause_text.h"
 #include "props/run/near_edge.h"
 #include "report/grounds.h"
 #include "report/text.h"
-#include "tool/check/causes.h"
 
 namespace rasterproof::tool {
 namespace {
@@ -21,18 +25,15 @@ io::CheckedProperty CheckedOf(const Findings& found, const Finding& finding) {
           finding.place,
           FailsTheRun(found, finding),
           finding.is_known,
-          finding.cause ? NameOfCause(found.causes.all[*finding.cause]) : "",
+          finding.cause ? props::NameOfCause(found.causes.all[*finding.cause]) : "",
           finding.replay};
 }
 
 void AddCause(JsonWriter& json, const Findings& found, const props::Cause& cause) {
-  json.BeginObject().Key("cause").Text(NameOfCause(cause));
-  json.Key("text").Text(CauseText(cause, found.causes));
-  json.Key("wrong_scenes").Integer(cause.wrong_scenes);
-  json.Key("too_few").Bool(cause.rests_on_few);
-  json.Key("properties").BeginArrayLine();
-  for (const std::size_t k : cause.properties) json.Text(found.all[k].result.property);
-  json.EndArray().EndObject();
+  std::vector<std::string> properties;
+  for (const std::size_t k : cause.properties) properties.push_back(found.all[k].result.property);
+  io::WriteCause(json, {props::NameOfCause(cause), props::CauseText(cause, found.causes),
+                        cause.wrong_scenes, cause.rests_on_few, std::move(properties)});
 }
 
 }  // namespace

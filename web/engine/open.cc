@@ -85,8 +85,8 @@ Opened OpenedFrom(std::string_view json) {
 }
 
 Opened OpenedFrom(const JsonValue& root) {
-  constexpr std::array<std::string_view, 7> kKeys{"subject", "profile", "properties", "seed",
-                                                  "cases",   "shrink",  "infer"};
+  constexpr std::array<std::string_view, 8> kKeys{"subject", "profile", "properties", "seed",
+                                                  "cases",   "shrink",  "infer",      "causes"};
   root.RequireObject(kKeys);
   Opened opened;
   opened.info = PlainInfo();
@@ -100,6 +100,7 @@ Opened OpenedFrom(const JsonValue& root) {
   io::ReadIfThere(root, "cases", opened.campaign.cases, integer);
   io::ReadIfThere(root, "shrink", opened.campaign.shrink_budget, integer);
   io::ReadIfThere(root, "infer", opened.infers, io::Boolean);
+  io::ReadIfThere(root, "causes", opened.explains, io::Boolean);
   const auto properties = root.Find("properties");
   opened.is_whole_catalogue = !properties;
   if (!properties) {

@@ -19,14 +19,16 @@ struct Opened {
   bool is_whole_catalogue = false;
   props::CampaignOptions campaign;
   bool infers = false;
-  std::string json;  ///< of this
+  bool explains = false;  ///< looks for causes
+  std::string json;       ///< of this
 };
 
 /// Reads an object with the keys `subject` ({name, input: "float32" | "float64", coverage, visible,
 /// takes: ["window", "clip", "culling", "scissor"]}), `profile`, `properties`, `seed`, `cases`,
-/// `shrink`, the most evaluations of shrinking, and `infer`, whether to find the model. All of them
-/// may be left out, as in a program's description: window space, float32, counts, profile real;
-/// every property, seed 1, 1000 cases, no model.
+/// `shrink`, the most evaluations of shrinking, `infer`, whether to find the model, and `causes`,
+/// whether to look for what explains the failures. All of them may be left out, as in a program's
+/// description: window space, float32, counts, profile real; every property, seed 1, 1000 cases, no
+/// model, no causes.
 ///
 /// Error:      InputError with the place.
 Opened OpenedFrom(const io::JsonValue& json);

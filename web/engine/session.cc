@@ -12,6 +12,8 @@
 #include "io/case_file.h"
 #include "io/check_json.h"
 #include "io/json_writer.h"
+#include "props/cause/cause_text.h"
+#include "props/cause/evidence.h"
 #include "props/domains/width_inputs.h"
 #include "props/engine/known_answers.h"
 #include "props/run/conclude.h"
@@ -64,10 +66,13 @@ Session::Session(Opened opened) : opened_(std::move(opened)), engine_(opened_.in
     if (!run.widths) continue;
     run.widths->sight = &engine_.Add(std::make_unique<PulledSight>(*run.widths->check));
   }
-  if (!opened_.infers) return;
-  props::InferOptions options;
-  options.seed = opened_.campaign.seed;
-  infer_ = &engine_.Add(std::make_unique<props::PulledInfer>(options));
+  if (opened_.infers) {
+    props::InferOptions options;
+    options.seed = opened_.campaign.seed;
+    infer_ = &engine_.Add(std::make_unique<props::PulledInfer>(options));
+  }
+  if (opened_.explains)
+    causes_ = &engine_.Add(std::make_unique<props::PulledCauses>([this] { return Failed(); }));
 }
 
 Session::Checked Session::Add(const props::Property& property, const props::World* world) {
@@ -121,6 +126,47 @@ std::vector<PropertyResult> Session::Results() const {
   return results;
 }
 
+// The places of violations that causes are looked for.
+std::vector<std::size_t> Session::FailedOf(std::span<const PropertyResult> results) const {
+  std::vector<std::size_t> places;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    if (IsFailure(results[k], FailOn::kStated) && props::FailedBy(results[k], opened_.info))
+      places.push_back(k);
+  }
+  return places;
+}
+
+// Nothing before all checks are done.
+std::optional<std::vector<props::FailedProperty>> Session::Failed() const {
+  const auto is_done = [](const Run& run) {
+    return run.cases.check->has_result() && (!run.widths || run.widths->check->has_result());
+  };
+  if (!std::ranges::all_of(runs_, is_done)) return std::nullopt;
+  const std::vector<PropertyResult> results = Results();
+  std::vector<props::FailedProperty> failed;
+  for (const std::size_t k : FailedOf(results))
+    failed.push_back(*props::FailedBy(results[k], opened_.info));
+  return failed;
+}
+
+// Writes into `names` what explains each result.
+std::vector<io::CheckedCause> Session::CausesOf(std::span<const PropertyResult> results,
+                                                std::vector<std::string>& names) const {
+  if (causes_ == nullptr) return {};
+  const std::vector<std::size_t> places = FailedOf(results);
+  std::vector<io::CheckedCause> causes;
+  for (const props::Cause& cause : causes_->result().all) {
+    std::vector<std::string> properties;
+    for (const std::size_t k : cause.properties) {
+      properties.push_back(results[places[k]].property);
+      names[places[k]] = props::NameOfCause(cause);
+    }
+    causes.push_back({props::NameOfCause(cause), props::CauseText(cause, causes_->result()),
+                      cause.wrong_scenes, cause.rests_on_few, std::move(properties)});
+  }
+  return causes;
+}
+
 // The status of a command: of one subject 0 holds, 1 violated, 4 inconclusive.
 int Session::StatusOf(const std::vector<PropertyResult>& results) const {
   constexpr int kHolds = 0;
@@ -140,11 +186,14 @@ int Session::StatusOf(const std::vector<PropertyResult>& results) const {
 
 std::string Session::Result() const {
   const std::vector<PropertyResult> results = Results();
+  std::vector<std::string> names(results.size());
+  const std::vector<io::CheckedCause> causes = CausesOf(results, names);
   std::vector<io::CheckedProperty> checked;
-  for (const PropertyResult& result : results) {
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const PropertyResult& result = results[k];
     const auto& failure = result.counterexample;
     checked.push_back({result, result.message, failure ? failure->verdict.message : "", "",
-                       IsFailure(result, FailOn::kStated)});
+                       IsFailure(result, FailOn::kStated), false, names[k]});
     if (failure) checked.back().next = ReplayOf(opened_.info, result);
   }
   const int status = StatusOf(results);
@@ -170,7 +219,9 @@ std::string Session::Result() const {
       WritePicture(json, opened_.info, *one.result.counterexample);
     });
   }
-  json.EndArray().Key("causes").BeginArray().EndArray().Key("properties").BeginArray();
+  json.EndArray().Key("causes").BeginArray();
+  for (const io::CheckedCause& cause : causes) io::WriteCause(json, cause);
+  json.EndArray().Key("properties").BeginArray();
   for (const io::CheckedProperty& one : checked) WriteProperty(json, one);
   json.EndArray();
   if (infer_ != nullptr) WriteModel(json, infer_->result());

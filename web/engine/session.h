@@ -2,15 +2,19 @@
 #ifndef RASTERPROOF_WEB_ENGINE_SESSION_H_
 #define RASTERPROOF_WEB_ENGINE_SESSION_H_
 
+#include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/result.h"
 #include "core/subject_info.h"
+#include "io/check_json.h"
 #include "props/domains/worlds.h"
 #include "props/engine/pulled.h"
+#include "props/engine/pulled_causes.h"
 #include "props/engine/pulled_infer.h"
 #include "web/engine/open.h"
 #include "web/engine/told.h"
@@ -33,7 +37,7 @@ class Session {
   std::string Progress() const;
   std::string Save() const { return engine_.save(); }
   void Load(std::string_view saved) { engine_.load(saved); }
-  /// Returns what `check --json` writes, without causes, and beyond that `opened`, the model, and
+  /// Returns what `check --json` writes, and beyond that `opened`, the model, and
   /// of each failure its clauses and its picture.
   ///
   /// Domain:     IsDone().
@@ -57,12 +61,17 @@ class Session {
   };
 
   Checked Add(const props::Property& property, const props::World* world);
+  std::vector<std::size_t> FailedOf(std::span<const PropertyResult> results) const;
+  std::optional<std::vector<props::FailedProperty>> Failed() const;
+  std::vector<io::CheckedCause> CausesOf(std::span<const PropertyResult> results,
+                                         std::vector<std::string>& names) const;
   int StatusOf(const std::vector<PropertyResult>& results) const;
 
   Opened opened_;
   props::PulledEngine engine_;
   std::vector<Run> runs_;
-  const props::PulledInfer* infer_ = nullptr;  ///< nullptr: no model was asked for
+  const props::PulledInfer* infer_ = nullptr;    ///< nullptr: no model was asked for
+  const props::PulledCauses* causes_ = nullptr;  ///< nullptr: no causes were asked for
 };
 
 }  // namespace rasterproof::web

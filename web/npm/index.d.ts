@@ -42,6 +42,8 @@ export interface CheckOptions {
   shrink?: number;
   /** Finds the model by experiment, too: some thousands of draws. */
   infer?: boolean;
+  /** Looks for what explains the failures, too, by some hundreds of draws. check() does unless false. */
+  causes?: boolean;
   onProgress?: (progress: { done: number; of: number }) => void;
 }
 /** Counts of each sample, [height][width][sample], of the failing scene around the failing pixel. */
@@ -70,6 +72,8 @@ export interface Failure {
   clause: string;
   required_by: string[];
   fails: boolean;
+  /** The name of its cause, a section of docs/causes.md, or "none"; null: none was looked for. */
+  cause: string | null;
   message: string;
   pixel?: [number, number];
   sample?: number;
@@ -85,6 +89,15 @@ export interface Failure {
   /** The sentences of the specification that require the property. */
   clauses: { id: string; place: string; sentence: string; reading: string }[];
   picture?: Picture;
+}
+/** What explains failures. */
+export interface Cause {
+  cause: string;
+  text: string;
+  /** The different scenes, drawn wrong, that it rests on. */
+  wrong_scenes: number;
+  too_few: boolean;
+  properties: string[];
 }
 export interface PropertyOutcome {
   property: string;
@@ -104,6 +117,7 @@ export interface Result {
   outcome: Outcome;
   unasked: { statement: string; by: string }[];
   failures: Failure[];
+  causes: Cause[];
   properties: PropertyOutcome[];
   /** If asked for by `infer`: null if none fits, and what `rasterproof infer` says in a line. */
   model?: Model | null;

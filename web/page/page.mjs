@@ -200,7 +200,7 @@ function showModels(models) {
 }
 
 function showResult({result, models, picture}) {
-  const {failures, properties, unasked} = result.subjects[0];
+  const {causes = [], failures, properties, unasked} = result.subjects[0];
   showModels(models);
   const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
   const place = ({outcome}) => (ORDER.indexOf(outcome) + ORDER.length) % ORDER.length;
@@ -215,6 +215,9 @@ function showResult({result, models, picture}) {
   })});
   const first = firstFailure(result);
   if (first) showFailure(first, picture);
+  byId("causes").replaceChildren(...causes.map(({cause, text}) => {
+    return made("p", [made("strong", cause === "none" ? "Cause: " : `Likely cause, ${cause}: `), text]);
+  }));
   const notAsked = properties.filter(({outcome}) => outcome === "not applicable")
       .map(({property, message}) => ({statement: property, by: message}));
   const rows = [...unasked, ...notAsked].map(({statement, by}) => {

@@ -159,7 +159,7 @@ class Session {
     const profile = PROFILES[api] + (samples > 1 ? `-${samples}x` : "");
     const shrink = MOST_SHRINKING;
     this.#engine.open({
-      subject: this.#subject(), profile, cases, seed, shrink, infer,
+      subject: this.#subject(), profile, cases, seed, shrink, infer, causes: true,
       ...(properties && {properties}),
     });
     if (saved) this.#engine.load(saved);

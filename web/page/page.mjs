@@ -216,7 +216,8 @@ function showResult({result, models, picture}) {
   const first = firstFailure(result);
   if (first) showFailure(first, picture);
   byId("causes").replaceChildren(...causes.map(({cause, text}) => {
-    return made("p", [made("strong", cause === "none" ? "Cause: " : `Likely cause, ${cause}: `), text]);
+    const name = cause === "none" ? "Cause: " : `Likely cause, ${cause}: `;
+    return made("p", [made("strong", name), text]);
   }));
   const notAsked = properties.filter(({outcome}) => outcome === "not applicable")
       .map(({property, message}) => ({statement: property, by: message}));

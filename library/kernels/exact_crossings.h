@@ -8,6 +8,7 @@
 #ifndef RASTERPROOF_LIBRARY_KERNELS_EXACT_CROSSINGS_H_
 #define RASTERPROOF_LIBRARY_KERNELS_EXACT_CROSSINGS_H_
 
+#include <cmath>
 #include <cstdint>
 
 #include "library/kernels/crossing_errors.h"
@@ -100,6 +101,51 @@ HWY_INLINE MD IsAtOrRight(VD x, VD y, const Edges& e, MD& decided) {
   const MD equal = hn::Eq(p, q);
   const MD by_errors = hn::Ge(ProductError(a, b, p), ProductError(c, d, q));
   return hn::Or(hn::Gt(p, q), hn::And(equal, by_errors));
+}
+
+/// The same of one centre.
+HWY_INLINE bool IsAtOrRight(double x, double y, const ExactEdge& e, bool& decided) {
+  const auto error = [](double u, double v, double difference) {
+    const double v_seen = u - difference;
+    return std::fabs((u - (difference + v_seen)) + (v_seen - v));
+  };
+  const double a = x - e.ax;
+  const double b = e.cy - e.ay;
+  const double c = y - e.ay;
+  const double d = e.cx - e.ax;
+  decided =
+      error(x, e.ax, a) + error(e.cy, e.ay, b) + error(y, e.ay, c) + error(e.cx, e.ax, d) == 0;
+  const double p = a * b;
+  const double q = c * d;
+  if (HWY_LIKELY(p != q)) return p > q;
+  return std::fma(a, b, -p) >= std::fma(c, d, -q);
+}
+
+/// So many open lanes take less time one by one than by vectors.
+constexpr int kFewLanes = 2;
+HWY_INLINE bool AreFew(std::uint64_t open) { return __builtin_popcountll(open) <= kFewLanes; }
+
+/// Which of the few lanes of `open` have a guess of one column too many, of rows from `row` on, one
+/// a lane. `at` as below; edges' ends and centres are those on the target.
+template <class Column, class CornersAt>
+HWY_INLINE std::uint64_t OneTooMany(const KernelView& view, const Column* columns, int row,
+                                    std::uint64_t open, const CornersAt& at) {
+  std::uint64_t too_many = 0;
+  for (; open != 0; open &= open - 1) {
+    const int lane = CountTrailingZeros(open);
+    const ExactEdge edge = at(lane);
+    const double x = edge.left + (static_cast<double>(columns[lane]) - 0.5);
+    const double y = edge.top + (row + lane + 0.5);
+    bool decided = false;
+    bool is_right = IsAtOrRight(x, y, edge, decided);
+    ++view.tiers[0];
+    if (HWY_UNLIKELY(!decided)) {
+      is_right = IsCentreAtOrRight(edge, x, y);
+      ++view.tiers[1];
+    }
+    too_many |= std::uint64_t{is_right} << lane;
+  }
+  return too_many;
 }
 
 /// Corrects columns in the lanes of `open`, whose guess may be one too many: the crossing is

@@ -21,8 +21,19 @@ inline HWY_NOINLINE VF ResolveNear(const KernelView& view, const ExactBlock& blo
   const DF d;
   const DD dd;
   const DDF df;
+  const auto at = [&](int lane) {
+    const bool is_upper = ((upper_bits >> lane) & 1) != 0;
+    ExactEdge edge = block.EdgeOf(is_long ? kLongEdge : is_upper ? kUpperEdge : kLowerEdge, i);
+    edge.left = block.x0[i];
+    edge.top = block.y0[i];
+    return edge;
+  };
   alignas(64) float columns[kLanes];
   hn::Store(column, d, columns);
+  if (AreFew(open_bits)) {
+    const std::uint64_t too_many = OneTooMany(view, columns, row, open_bits, at);
+    return hn::Sub(column, hn::IfThenElseZero(MaskOf(d, too_many), hn::Set(d, 1.0F)));
+  }
   for (int h = 0; h < kLanes; h += kDoubles) {
     const std::uint64_t bits = (open_bits >> h) & ((std::uint64_t{1} << kDoubles) - 1);
     if (bits == 0) continue;
@@ -35,17 +46,9 @@ inline HWY_NOINLINE VF ResolveNear(const KernelView& view, const ExactBlock& blo
     };
     const Edges edges{pick(block.sx, 0, 1, 0), pick(block.sy, 0, 1, 0), pick(block.sx, 1, 2, 2),
                       pick(block.sy, 1, 2, 2)};
-    const VD resolved = Resolve(view, hn::PromoteTo(dd, hn::Load(df, columns + h)),
-                                DoublesFrom(row + h + 0.5), edges, MaskOf(dd, bits), [&](int lane) {
-                                  const bool is_upper = ((upper_bits >> (h + lane)) & 1) != 0;
-                                  ExactEdge edge = block.EdgeOf(is_long    ? kLongEdge
-                                                                : is_upper ? kUpperEdge
-                                                                           : kLowerEdge,
-                                                                i);
-                                  edge.left = block.x0[i];
-                                  edge.top = block.y0[i];
-                                  return edge;
-                                });
+    const VD resolved =
+        Resolve(view, hn::PromoteTo(dd, hn::Load(df, columns + h)), DoublesFrom(row + h + 0.5),
+                edges, MaskOf(dd, bits), [&](int lane) { return at(h + lane); });
     hn::Store(hn::DemoteTo(df, resolved), df, columns + h);
   }
   return hn::Load(d, columns);
@@ -131,11 +134,12 @@ HWY_INLINE void DrawNearRows(const KernelView& view, const ExactBlock& block, in
       const auto short_open = hn::Lt(hn::Sub(by_short, short_column), error);
       if (HWY_UNLIKELY((MaskBits(d, hn::Or(long_open, short_open)) & valid) != 0)) {
         const std::uint64_t upper_bits = MaskBits(d, upper);
-        const int at = row - box.y0;
-        long_column = ResolveNear(view, block, i, at, long_column, MaskBits(d, long_open) & valid,
-                                  upper_bits, true);
-        short_column = ResolveNear(view, block, i, at, short_column,
-                                   MaskBits(d, short_open) & valid, upper_bits, false);
+        const auto resolve = [&](VF& column, std::uint64_t open, bool is_long) {
+          if (open == 0) return;
+          column = ResolveNear(view, block, i, row - box.y0, column, open, upper_bits, is_long);
+        };
+        resolve(long_column, MaskBits(d, long_open) & valid, true);
+        resolve(short_column, MaskBits(d, short_open) & valid, false);
       }
     }
     if constexpr (Sink::kNeedsFacing) {

@@ -67,7 +67,17 @@ inline HWY_NOINLINE void ResolveSteps(const KernelView& view, const ExactBlock& 
   alignas(64) std::int32_t columns[kLanes];
   const auto resolve = [&](VI& guess, bool is_long) {
     const std::uint64_t open = valid & MaskBits(di, HasOpenFraction(guess, 2 * kStepError));
+    if (open == 0) return;
     hn::Store(hn::ShiftRight<kSmallBits>(guess), di, columns);
+    if (AreFew(open)) {
+      const std::uint64_t too_many = OneTooMany(view, columns, row, open, [&](int lane) {
+        const bool is_upper = row + lane + 0.5 < double{block.y[1][i]};
+        return block.EdgeOf(is_long ? kLongEdge : is_upper ? kUpperEdge : kLowerEdge, i);
+      });
+      const VI one = hn::Set(di, 1 << kSmallBits);
+      guess = hn::Sub(guess, hn::IfThenElseZero(MaskOf(di, too_many), one));
+      return;
+    }
     for (int h = 0; h < kLanes; h += kDoubles) {
       const std::uint64_t bits = (open >> h) & ((std::uint64_t{1} << kDoubles) - 1);
       if (bits == 0) continue;

@@ -13,11 +13,20 @@
 
 #include "core/channel.h"
 #include "core/vertex.h"
+#include "exact/values.h"
 
 namespace rasterproof::exact {
 
 /// Rows (x, y, w) of three corners.
 using NaiveRows = std::array<std::array<mpq_class, 3>, 3>;
+
+inline NaiveRows NaiveRowsOf(const std::array<Vertex, 3>& v) {
+  NaiveRows rows;
+  for (std::size_t i = 0; i < 3; ++i) {
+    rows[i] = {mpq_class(v[i].x), mpq_class(v[i].y), mpq_class(v[i].w)};
+  }
+  return rows;
+}
 
 struct NaiveValue {
   mpq_class value;
@@ -68,6 +77,12 @@ inline std::optional<NaiveValue> NaiveValueAt(const NaiveRows& rows, Interpolati
   return NaiveValue{over_w->value / inverse_w->value,
                     (over_w->dx * inverse_w->value - over_w->value * inverse_w->dx) / square,
                     (over_w->dy * inverse_w->value - over_w->value * inverse_w->dy) / square};
+}
+
+/// Whether the two deciders' numbers are the same rationals.
+inline bool Equal(const ValueAndDerivatives& a, const NaiveValue& b) {
+  return a.value.ToString() == b.value.get_str() && a.dx.ToString() == b.dx.get_str() &&
+         a.dy.ToString() == b.dy.get_str();
 }
 
 }  // namespace rasterproof::exact

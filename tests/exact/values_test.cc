@@ -148,16 +148,6 @@ class DrawValues {
   Draw draw_;
 };
 
-NaiveRows NaiveRowsOf(const std::array<Vertex, 3>& v) {
-  NaiveRows rows;
-  for (std::size_t i = 0; i < 3; ++i) {
-    rows[i] = {mpq_class(v[i].x), mpq_class(v[i].y), mpq_class(v[i].w)};
-  }
-  return rows;
-}
-
-bool Equal(const Rational& a, const mpq_class& b) { return a.ToString() == b.get_str(); }
-
 TEST(Values, EqualThoseOfPlanesByElimination) {
   // With RASTERPROOF_MORE (scripts/test_more) a million values and derivatives.
   const int wanted = RunsMore() ? 1'000'000 : Cases(6000);
@@ -184,9 +174,7 @@ TEST(Values, EqualThoseOfPlanesByElimination) {
         }
         continue;
       }
-      ASSERT_TRUE(Equal(exact->value, naive->value)) << compared;
-      ASSERT_TRUE(Equal(exact->dx, naive->dx)) << compared;
-      ASSERT_TRUE(Equal(exact->dy, naive->dy)) << compared;
+      ASSERT_TRUE(Equal(*exact, *naive)) << compared;
       ASSERT_EQ(*interpolant.Value(interpolation, ToAttribute(shown.a)), exact->value);
       compared += 3;
       if (shown.v[0].w <= 0 || shown.v[1].w <= 0 || shown.v[2].w <= 0) behind += 3;

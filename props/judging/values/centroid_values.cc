@@ -102,9 +102,9 @@ std::optional<ValueRange> RangeInPixel(const ShownValues& shown, const ValueFrag
   return range;
 }
 
-bool MeetsRegion(const ValueFragment& f, const std::vector<HalfPlane>& planes) {
+bool MeetsRegion(const ValueFragment& f, const std::vector<exact::HalfPlane>& planes) {
   const CentroidRegion& region = *f.centroid;
-  std::vector<HalfPlane> all = planes;
+  std::vector<exact::HalfPlane> all = planes;
   if (region.primitive) all.insert(all.end(), region.primitive->begin(), region.primitive->end());
   return exact::RectangleMeets(region.low, region.high, all);
 }
@@ -121,8 +121,9 @@ std::optional<ValueRange> RangeInRegion(const ShownValues& shown, const ValueFra
 }
 
 // The points where the value may be the number that is shown.
-std::vector<HalfPlane> WhereItMayBe(const ValueFragment& f, const ValueOwners& owners,
-                                    const Channel& channel, const ValueRange& range, double x) {
+std::vector<exact::HalfPlane> WhereItMayBe(const ValueFragment& f, const ValueOwners& owners,
+                                           const Channel& channel, const ValueRange& range,
+                                           double x) {
   const auto where = [&](int sign) {
     const Rational bound = Rational(x) - Rational(range.tolerance) * Rational(sign);
     return WhereValueIs(*owners.known, channel.interpolation, NumbersAt(f, channel), bound, sign);
@@ -160,7 +161,7 @@ ValueCheck CheckCentroidValue(const ShownValues& shown, const ValueFragment& f,
 
 bool HaveOnePlace(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
   if (f.centroid->at || !owners.known) return true;
-  std::vector<HalfPlane> planes;
+  std::vector<exact::HalfPlane> planes;
   for (std::size_t k = 0; k < shown.channels.size(); ++k) {
     const Channel& channel = shown.channels[k];
     const bool is_interpolated = channel.interpolation != Interpolation::kFlat;

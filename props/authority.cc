@@ -58,7 +58,9 @@ std::string_view WordOf(std::string_view key, const Profile& profile) {
   const ValueRule& values = profile.values;
   if (key == "values.provoking" && values.provoking != ProvokingVertex::kUnstated)
     return values.provoking == ProvokingVertex::kFirst ? "first" : "last";
-  if (key == "values.derivatives" && values.derivatives == DerivativesBy::kFine) return "fine";
+  // No text says where quads begin: who states it adds a promise of its own.
+  if (key == "values.derivatives" && values.derivatives == DerivativesBy::kFine)
+    return values.quads == QuadOrigin::kUnstated ? "fine" : "";
   if (key == "values.depth" &&
       (values.depth == DepthFormat::kUnorm16 || values.depth == DepthFormat::kUnorm24 ||
        values.depth == DepthFormat::kUnorm32))

@@ -177,6 +177,8 @@ TEST(Authority, ClausesOfOtherValuesRequireNothing) {
   info.profile = *PresetProfile("d3d11");
   info.profile.values.derivatives = DerivativesBy::kFine;
   EXPECT_EQ(of("QuadDifferencesEqualDifferencesOfValues"), Ids{"d3d11.derivative-fine"});
+  info.profile.values.quads = QuadOrigin::kOdd;
+  EXPECT_EQ(of("QuadDifferencesEqualDifferencesOfValues"), Ids{}) << "the text leaves it open";
   info.profile = *PresetProfile("gl");
   info.profile.values.derivatives = DerivativesBy::kFine;
   EXPECT_EQ(of("QuadDifferencesEqualDifferencesOfValues"), Ids{}) << "they may be approximate";

@@ -157,8 +157,17 @@ void AddDifferences(std::vector<Mistake>& list) {
   const auto add = [&](std::string what, auto made, bool is_wide = false) {
     list.push_back({"wrong-derivative", std::move(what), made, is_wide});
   };
-  add("takes differences for derivatives of the plane",
-      [](const ShownNumber& s) -> Made { return {DifferenceOf(s, 0, 1), DifferenceOf(s, -1, 0)}; });
+  // Of stated quads they are those of the quad, too, or of the one beside.
+  const auto to_neighbours = [](bool of_quads) {
+    return [of_quads](const ShownNumber& s) -> Made {
+      const DerivativesBy by = s.values.rule.derivatives;
+      const bool states_quads = by == DerivativesBy::kFine || by == DerivativesBy::kCoarse;
+      if (states_quads != of_quads) return {};
+      return {DifferenceOf(s, 0, 1), DifferenceOf(s, -1, 0)};
+    };
+  };
+  add("takes differences for derivatives of the plane", to_neighbours(false));
+  add("takes differences between pixels of different quads", to_neighbours(true), true);
   add("takes differences over two pixels", [](const ShownNumber& s) -> Made {
     MadeNumber made = DifferenceOf(s, -1, 1);
     made.value /= 2;

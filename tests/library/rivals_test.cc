@@ -96,7 +96,7 @@ TEST(RivalsTest, TheRivalOfClipSpaceDrawsItsDefinition) {
       }
     }
   }
-  EXPECT_GT(covered, 10'000U);
+  EXPECT_GT(covered, 500 * static_cast<std::uint64_t>(Cases(60)));
 }
 
 // What EveryRivalSinkAndTargetDrawsItsDefinition is to find: of each rival that is planted in.

@@ -137,7 +137,7 @@ std::array<bool, 4> StatedParities(const ShownValues& shown) {
   const int column = quads == QuadOrigin::kEven ? 0 : 1;
   const int row = shown.is_y_up ? (shown.drawing.counts.height + column) % 2 : column;
   std::array<bool, 4> stated{};
-  stated[static_cast<std::size_t>(column + 2 * row)] = true;
+  stated[static_cast<std::size_t>(column) + 2 * static_cast<std::size_t>(row)] = true;
   return stated;
 }
 

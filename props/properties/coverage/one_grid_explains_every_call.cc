@@ -110,7 +110,7 @@ std::string Triangles(std::size_t count) {
 }
 
 // One call with triangles of the scene, in one form of five.
-Asked InAForm(const Scene& scene, std::size_t form, const std::string& whose, bool takes_others) {
+Asked InAForm(const Scene& scene, std::uint64_t form, const std::string& whose, bool takes_others) {
   const std::size_t count = scene.triangles.size();
   const std::string what = Triangles(count) + whose;
   if (count > kMostInAList) return {scene, what};
@@ -124,7 +124,7 @@ Asked InAForm(const Scene& scene, std::size_t form, const std::string& whose, bo
     case 2:
       return {UnindexedOf(scene), what + ", each with three vertices of its own"};
     case 3: {
-      const std::size_t t = form / kForms % count;
+      const auto t = static_cast<std::size_t>(form / kForms % count);
       return {AloneOf(scene, t), "triangle " + std::to_string(t) + whose + ", alone"};
     }
     default:
@@ -133,8 +133,9 @@ Asked InAForm(const Scene& scene, std::size_t form, const std::string& whose, bo
   return {scene, what};
 }
 
-// A number that the case's own bits decide, so that each form has its turn, in a replay the same.
-std::size_t TurnOf(const PlacedCase& c) {
+// A number that the case's own bits decide, so that each form has its turn, in a replay and in the
+// WebAssembly module, whose std::size_t has 32 bits, the same.
+std::uint64_t TurnOf(const PlacedCase& c) {
   std::uint64_t bits = c.scene.vertices.size();
   const auto mix = [&](std::uint64_t more) {
     bits = (bits ^ more) * 0x9e3779b97f4a7c15U;
@@ -155,7 +156,7 @@ bool TakesOtherPlaces(const PlacedCase& c) {
 
 // The ruler's list is the first call, if there is one.
 std::vector<Asked> CallsOf(const PlacedCase& c) {
-  const std::size_t turn = TurnOf(c);
+  const std::uint64_t turn = TurnOf(c);
   const bool takes_others = TakesOtherPlaces(c);
   std::vector<Asked> asked;
   if (takes_others) {
@@ -164,7 +165,7 @@ std::vector<Asked> CallsOf(const PlacedCase& c) {
     if (!ruler.seams.triangles.empty()) {
       const std::string whose = " of the grid's ruler";
       asked.push_back({ruler.seams, Triangles(ruler.seams.triangles.size()) + whose, true});
-      const Scene& one = ruler.alone[turn % ruler.alone.size()];
+      const Scene& one = ruler.alone[static_cast<std::size_t>(turn % ruler.alone.size())];
       asked.push_back({turn / 4 % 2 == 0 ? one : BehindAVertex(one), "one triangle" + whose});
       if (turn / 8 % 4 == 0) asked.push_back(InAForm(ruler.seams, turn / 32, whose, true));
     }

@@ -24,6 +24,8 @@ COMMAND = os.path.abspath(sys.argv[3])
 OUTCOMES = {"holds": 0, "violated": 1, "inconclusive": 4}
 ONCE = "EmbeddedMeshSamplesAreCoveredOnce"
 ASKED = ["SharedEdgeSamplesAreCoveredOnce", "OneLegalModelExplainsTheMesh", ONCE]
+# Its calls take turns by 64 bits of the case, of which the module kept 32: certify refused it.
+GRID = ["OneGridExplainsEveryCall"]
 # Of the plants: what 40 cases of each property come to. 7 bits are legal, and 40 cases seldom have
 # the triangle that is lost; WebGPU leaves edges and the grid open, so most plants are legal there.
 PLANTED = {
@@ -95,6 +97,13 @@ class Certified(unittest.TestCase):
                         (failure, *_) = certificate["result"]["subjects"][0]["failures"]
                         self.assertTrue(failure["clauses"])
                         self.assertTrue(certificate["picture"])
+
+    def test_forms_of_calls_are_those_of_the_command(self):
+        certificate = self.certificate(
+            asked("webgl2", cases=40, infer=False, plant="half-pixel-shift")
+            | {"properties": GRID})  # fmt: skip
+        self.assertEqual(certificate["outcome"], "violated")
+        self.assertIn(GRID[0], self.judged(certificate))
 
     @unittest.skipUnless(FIREFOX and SCREEN, "there is no firefox-esr with Xvfb here: one "
                          "rasterizer alone was asked")  # fmt: skip

@@ -11,7 +11,9 @@ g = h * (1 + d1);
 t = (g + g * g) * (1 + d2);
 core = (1 + t) * (1 - h) - 1;
 quotient = (1 + core) * (1 + d3) * (1 + d4) - 1;
-told = (1 + n) / ((1 + d) * (1 + q)) - 1;
+exact = 1 + n;
+shown = (1 + d) * (1 + q);
+told = (exact - shown) / shown;
 
 {
   |d1| <= 1b-53 /\ |d2| <= 1b-53 /\ |d3| <= 1b-53 /\ |d4| <= 1b-53 /\ |d5| <= 1b-53 /\
@@ -30,4 +32,4 @@ told = (1 + n) / ((1 + d) * (1 + q)) - 1;
 
 # g - h = h d1, and (1 + h + h^2) (1 - h) = 1 - h^3.
 core -> h * d1 * (1 + g + h) * (1 - h) + (g + g * g) * d2 * (1 - h) - h * h * h;
-told -> ((n - d) - q * (1 + d)) / ((1 + d) * (1 + q));
+exact - shown -> (n - d) - q * (1 + d);

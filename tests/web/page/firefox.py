@@ -3,14 +3,16 @@
 import json
 import os
 import pathlib
+import re
 import shutil
 import socket
 import subprocess
 import tempfile
-import time
+import threading
 
 PREFERENCES = {
     "marionette.port": 0,  # one that is free
+    "remote.log.level": "Info",  # which it is
     "webgl.force-enabled": True,
     "browser.shell.checkDefaultBrowser": False,
     "browser.aboutwelcome.enabled": False,
@@ -19,7 +21,6 @@ PREFERENCES = {
     "network.captive-portal-service.enabled": False,
     "network.connectivity-service.enabled": False,
 }
-START_SECONDS = 60
 
 
 class Firefox:
@@ -30,18 +31,19 @@ class Firefox:
         lines = (f'user_pref("{name}", {json.dumps(value)});\n'
                  for name, value in PREFERENCES.items())  # fmt: skip
         (self.folder / "user.js").write_text("".join(lines), encoding="utf-8")
-        quiet = {"stdin": subprocess.DEVNULL, "stdout": subprocess.DEVNULL,
-                 "stderr": subprocess.DEVNULL}  # fmt: skip
         ours, theirs = os.pipe()
         self.screen = subprocess.Popen(
             [screen, "-displayfd", str(theirs), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
-            pass_fds=(theirs,), **quiet)  # fmt: skip
+            pass_fds=(theirs,), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL)  # fmt: skip
         os.close(theirs)
         with os.fdopen(ours) as number:
             display = f":{number.readline().strip()}"
         self.process = subprocess.Popen(
             [program, "--marionette", "--no-remote", "--profile", str(self.folder), "about:blank"],
-            env=os.environ | {"DISPLAY": display, "HOME": str(self.folder)}, **quiet)  # fmt: skip
+            env=os.environ | {"DISPLAY": display, "HOME": str(self.folder)}, text=True,
+            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT)  # fmt: skip
         self.socket = self.connected()
         self.bytes = b""
         self.sent = 0
@@ -50,14 +52,12 @@ class Firefox:
         self.call("WebDriver:SetTimeouts", script=3_600_000, pageLoad=60_000)
 
     def connected(self):
-        """It writes its port into the profile once it listens."""
-        port = self.folder / "MarionetteActivePort"
-        end = time.monotonic() + START_SECONDS
-        while not (port.exists() and port.read_text(encoding="utf-8").strip()):
-            if self.process.poll() is not None or time.monotonic() > end:
-                raise AssertionError("Firefox does not start")
-            time.sleep(0.1)
-        return socket.create_connection(("127.0.0.1", int(port.read_text(encoding="utf-8"))))
+        """It says its port once it listens; what it says later is of no use."""
+        for line in self.process.stdout:
+            if found := re.search(r"Marionette\s.*Listening on port (\d+)", line):
+                threading.Thread(target=self.process.stdout.read, daemon=True).start()
+                return socket.create_connection(("127.0.0.1", int(found[1])))
+        raise AssertionError("Firefox has ended before it listens")
 
     def close(self):
         self.socket.close()

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "fmt/format.h"
+#include "io/base64.h"
 #include "io/case_file.h"
 #include "io/check_json.h"
 
@@ -22,19 +23,12 @@ std::uint32_t CheckSum(std::string_view bytes) {
   return hash;
 }
 
-// Without padding.
-std::string AddressBase64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - k);
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < 3; ++i)
-      bits = bits << 8 | (i < count ? static_cast<unsigned char>(bytes[k + i]) : 0U);
-    for (std::size_t i = 0; i <= count; ++i) text += kDigits[bits >> (18 - 6 * i) & 63];
-  }
-  return text;
+// Section 5 of RFC 4648: base64 for addresses; without padding.
+std::string ForAddresses(std::string base64) {
+  std::ranges::replace(base64, '+', '-');
+  std::ranges::replace(base64, '/', '_');
+  base64.resize(base64.find_last_not_of('=') + 1);
+  return base64;
 }
 
 }  // namespace
@@ -46,7 +40,7 @@ std::string PlayFragment(const Case& c, const std::string& subject) {
     return "";
   }
   const std::string json = io::InOneLine(io::CaseToJson({c, subject, "", nullptr}));
-  return fmt::format("#scene={:08x}{}", CheckSum(json), AddressBase64(json));
+  return fmt::format("#scene={:08x}{}", CheckSum(json), ForAddresses(io::ToBase64(json)));
 }
 
 }  // namespace rasterproof::report

@@ -17,6 +17,7 @@
 
 #include "bench/bench.h"
 #include "fmt/format.h"
+#include "io/base64.h"
 #include "io/image.h"
 #include "io/output.h"
 #include "report/palette.h"
@@ -27,23 +28,6 @@ namespace {
 // In the order of bench::SampleOwner.
 constexpr std::array kColours{report::kCoveredTwice, report::kBlue, report::kVermilion,
                               report::kUncovered};
-
-std::string Base64(std::string_view bytes) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t k = 0; k < bytes.size(); k += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - k);
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      bits = bits << 8 | (i < count ? static_cast<unsigned char>(bytes[k + i]) : 0U);
-    }
-    for (std::size_t i = 0; i < 4; ++i) {
-      text += i <= count ? kDigits[bits >> (18 - 6 * i) & 63] : '=';
-    }
-  }
-  return text;
-}
 
 // "mine.so-2^-12.png", without what a file's name can't have.
 std::string FileName(const std::string& method, const std::string& step) {
@@ -79,7 +63,7 @@ void Add(const bench::Fingerprint& print, std::uint32_t method, const bench::Fin
   record.step = step.name;
   record.wrong = print.Wrong();
   record.places = print.drawn.size();
-  record.png = Base64(png);
+  record.png = io::ToBase64(png);
   if (folder.empty()) return;
   io::WriteFile(folder + "/" + FileName(result.methods[method].name, record.step), png);
 }

@@ -12,6 +12,7 @@
 #include "core/quoted.h"
 #include "core/result.h"
 #include "fmt/format.h"
+#include "io/base64.h"
 #include "io/case_file.h"
 #include "io/json_document.h"
 #include "io/output.h"
@@ -29,24 +30,10 @@ using io::JsonValue;
 
 constexpr std::string_view kSaveAgain = "save it from the page again";
 
-std::string FromBase64(const JsonValue& value) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string_view text = value.RequireString();
-  while (text.ends_with('=')) text.remove_suffix(1);
-  std::string bytes;
-  std::uint32_t bits = 0;
-  int held = 0;
-  for (const char c : text) {
-    const std::size_t digit = kDigits.find(c);
-    if (digit == std::string_view::npos) throw value.Error("is no base64", std::string(kSaveAgain));
-    bits = (bits << 6U | static_cast<std::uint32_t>(digit)) & 0xffffU;
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes.push_back(static_cast<char>(bits >> static_cast<unsigned>(held)));
-  }
-  return bytes;
+std::string BytesOf(const JsonValue& value) {
+  const std::optional<std::string> bytes = io::FromBase64(value.RequireString());
+  if (!bytes) throw value.Error("is no base64", std::string(kSaveAgain));
+  return *bytes;
 }
 
 void RequireThisVersion(const JsonValue& version) {
@@ -115,7 +102,7 @@ int RunPassport(const std::string& path) {
   RequireSameAsked(root, result->Get("opened"));
   web::Session session(web::OpenedFrom(result->Get("opened")));
   const JsonValue saved = root.Get("saved");
-  session.Load(FromBase64(saved));
+  session.Load(BytesOf(saved));
   if (!session.IsDone())
     throw saved.Error("does not answer what the cases of this seed ask", std::string(kSaveAgain));
   const io::JsonDocument derived(session.Result(), "the derived verdict");

@@ -82,7 +82,7 @@ TEST_F(CentroidValues, OfAllChannelsAreOfOnePoint) {
   const auto have_one = [&](double u, double v) {
     drawing_.values = {u, v, 100};
     const ShownValues shown{drawing_, channels_, rule_, Precision::kFloat32};
-    return HaveOnePlace(shown, fragment_, owners_);
+    return AreOfOnePoint(shown, fragment_, owners_);
   };
   EXPECT_TRUE(have_one(4.25, 3.25));
   EXPECT_TRUE(have_one(4.75, 3.25)) << "on the edge";

@@ -159,7 +159,7 @@ ValueCheck CheckCentroidValue(const ShownValues& shown, const ValueFragment& f,
   return check;
 }
 
-bool HaveOnePlace(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
+bool AreOfOnePoint(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners) {
   if (f.centroid->at || !owners.known) return true;
   std::vector<exact::HalfPlane> planes;
   for (std::size_t k = 0; k < shown.channels.size(); ++k) {

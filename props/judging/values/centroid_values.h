@@ -32,12 +32,11 @@ CentroidRegion CentroidOf(const PlacedCase& c, const SubjectInfo& info, const Dr
 ValueCheck CheckCentroidValue(const ShownValues& shown, const ValueFragment& f,
                               const ValueOwners& owners, const Channel& channel, double x);
 
-/// Whether some point of the region has the numbers that all channels at the centroid show there:
-/// one fragment has one centroid.
+/// Whether some point of the region has the numbers that all channels at the centroid show there.
 ///
 /// Domain:     `f.centroid` is there; each of the numbers holds by CheckCentroidValue().
 /// Returns:    true also where owners are not known, and of channels that are not judged.
-bool HaveOnePlace(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners);
+bool AreOfOnePoint(const ShownValues& shown, const ValueFragment& f, const ValueOwners& owners);
 
 }  // namespace rasterproof::props
 

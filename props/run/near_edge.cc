@@ -188,9 +188,9 @@ class Counter {
   }
 
   // As CountLine(), in double, where that leaves no doubt: a long double may cost 30 times as much.
-  // Of an edge whose ends are doubles `at` is within 5 u (|across| + |near end|) of the crossing,
-  // by four roundings and those of the slope; the long double `at`, its error, and the sums below
-  // add less than 11 u of the terms of `doubt`, which is 16 u of them.
+  // M is the largest |x| of the edge's ends. `at` is within 13 u (M + 1) of the crossing
+  // (reference/proofs/row_crossing.g, the same form with a slope that is rounded once more); the
+  // long double `at`, its error, and the two sums of a distance add less than 3 u (M + 1).
   //
   // Returns: whether it did; else nothing is counted.
   bool CountsLineInDouble(const ProjectedEdge& edge, long double slope, int s, bool steep,
@@ -207,7 +207,7 @@ class Counter {
     const Point2& near = std::fabs(along - a.y) <= std::fabs(along - b.y) ? a : b;
     const double across = (along - near.y) * static_cast<double>(slope);
     const double at = near.x + across;
-    const double doubt = 0x1p-49 * (std::fabs(across) + std::fabs(a.x) + std::fabs(b.x) + 1);
+    const double doubt = 0x1p-49 * (std::max(std::fabs(a.x), std::fabs(b.x)) + 1);
     if (!(doubt <= 0.25)) return false;
     const double floor = std::floor(at - doubt - offset);
     if (floor != std::floor(at + doubt - offset)) return false;

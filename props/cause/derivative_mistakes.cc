@@ -22,10 +22,6 @@ using Made = std::vector<MadeNumber>;
 
 Point2 PlaceOfSlope(const ShownNumber& s) { return PlaceOfValue(s.f, s.channel); }
 
-Point2 PlaceMoved(Point2 p, int axis, double by) {
-  return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
-}
-
 MadeNumber Slope(const ShownNumber& s, Interpolation plane, const VertexNumbers& a, Point2 p,
                  int axis) {
   const ValueEstimate e = EstimateValue(s.owners.corners.front(), plane, a, p);
@@ -47,8 +43,8 @@ MadeNumber Difference(const ShownNumber& s, Point2 from, Point2 to) {
 
 // From one point to another, in pixels along the axis from the place moved across it.
 MadeNumber DifferenceOf(const ShownNumber& s, double from, double to, double across = 0) {
-  const Point2 p = PlaceMoved(PlaceOfSlope(s), 1 - s.axis, across);
-  return Difference(s, PlaceMoved(p, s.axis, from), PlaceMoved(p, s.axis, to));
+  const Point2 p = Moved(PlaceOfSlope(s), 1 - s.axis, across);
+  return Difference(s, Moved(p, s.axis, from), Moved(p, s.axis, to));
 }
 
 // The derivatives that may be meant, at a place some pixels away: of the plane, or over a quad.
@@ -125,7 +121,7 @@ void AddSlopePlanes(std::vector<Mistake>& list) {
                   [](const ShownNumber& s) -> Made {
                     const int width = s.values.scene->width;
                     if (s.f.place.x == 0 || s.f.place.x != width - 1) return {};
-                    return {SlopeAt(s, PlaceMoved(PlaceOfSlope(s), 0, -1), s.axis)};
+                    return {SlopeAt(s, Moved(PlaceOfSlope(s), 0, -1), s.axis)};
                   }});
 }
 

@@ -30,10 +30,6 @@ bool Lets(DerivativesBy stated, DerivativesBy by) {
          (stated == DerivativesBy::kCoarse && by == DerivativesBy::kFine);
 }
 
-Point2 Moved(Point2 p, int axis, double by) {
-  return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
-}
-
 // How far from a pixel the other one of its quad may lie.
 std::vector<int> OthersOfQuad(QuadOrigin quads, double place) {
   if (quads == QuadOrigin::kUnstated) return {1, -1};

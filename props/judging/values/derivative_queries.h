@@ -20,6 +20,11 @@ inline constexpr Outputs kValuesAndDerivatives{.primitive_ids = true,
                                                .values = true,
                                                .derivatives = true};
 
+/// p, moved along x (axis 0) or y (1).
+inline Point2 Moved(Point2 p, int axis, double by) {
+  return axis == 0 ? Point2{p.x + by, p.y} : Point2{p.x, p.y + by};
+}
+
 /// The ends of the differences that a derivative at `p` may be, by x (axis 0) or y (1); equal ends
 /// are the plane's own derivative there. Without a stated alignment of quads a difference may be
 /// that to the next pixel or from the one before; a coarse one that of the row (column) beside it.

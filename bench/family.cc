@@ -324,7 +324,6 @@ constexpr std::array kKinds{
                false, Grazing, true},
 };
 
-// The number of parts of which a quick run draws one.
 // 1 / part of a family is drawn, by FamilySize.
 constexpr std::array kParts{8, 2, 1};
 

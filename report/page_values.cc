@@ -32,10 +32,9 @@ constexpr auto kOfSlopes = std::to_array<std::string_view>(
     {"DerivativesStayWithinTheirError", "QuadDifferencesEqualDifferencesOfValues"});
 constexpr std::array<Question, 3> kQuestions{
     {{"Which interpolation may I trust, at what cost?",
-      "Build on what is stated and holds: the stated error, and what is promised to the bit. What "
-      "a "
-      "form costs: the nanoseconds a pixel of the methods below are measured by bench, and shown "
-      "under \"Which interpolation may I trust\" of a page that has its figures.",
+      "Build on what is stated and holds: the stated error, and what is promised to the bit. The "
+      "cost of a form is measured by bench --values: a page with its record shows it under \"Which "
+      "interpolation may I trust\".",
       kOfTrust},
      {"My texture swims: weights or division?",
       "The cause says which. affine-weights, exchanged-weights and weights-by-w: the weights. "

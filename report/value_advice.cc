@@ -29,6 +29,10 @@ constexpr std::array kCompared{
     Compared{"rcp and one Newton step is enough", "reciprocal-12-newton", "inverse-matrix"},
     Compared{"Derivatives by differences will do", "perspective-difference", "library-derivatives"},
     Compared{"Interpolate in double", "inverse-matrix-f64", "inverse-matrix"},
+    Compared{"Correct rounding is too dear, in one frame", "correctly-rounded",
+             "perspective-planes"},
+    Compared{"Correct rounding is too dear, in one frame", "correctly-rounded",
+             "inverse-matrix-f64"},
     Compared{"Correct rounding is too dear", "library-nearest", "library"}};
 
 const ValueBenchRow* FindValueRow(const BenchResult& result, std::uint32_t family,

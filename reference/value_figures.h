@@ -7,8 +7,9 @@
 
 namespace rasterproof::reference {
 
-/// The largest error / bound known of a method, in float32 and float64; NaN where none is.
-/// Measured:   ValueMethods.NoSearchExceedsTheirBounds, 2026-11-28, as value_methods.h says.
+/// The largest error / bound known of a method, in float32 and float64, rounded down to 0.001;
+/// NaN where none is.
+/// Measured:   ValueWitnesses.AreTheFiguresOfTheirMethods, on the inputs of value_witnesses.cc.
 std::array<double, 2> LargestRatiosOf(std::string_view method);
 
 }  // namespace rasterproof::reference

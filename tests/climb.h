@@ -19,17 +19,24 @@ struct Climb {
   int restarts = 8;
 };
 
+/// The highest place of a climb.
+template <std::size_t N>
+struct Peak {
+  double value = 0;
+  std::array<double, N> at{};
+};
+
 /// Climbs on the bit patterns of N doubles towards the largest objective: each restart draws some
 /// inputs, keeps the best and moves one of its numbers at a time by up to 2^48 ulps.
 ///
-/// Returns:    the largest value seen.
+/// Returns:    the largest value seen, and where.
 template <std::size_t N, class Draw, class Objective>
-double Largest(const Climb& climb, const Draw& draw, const Objective& objective) {
+Peak<N> HighestPeak(const Climb& climb, const Draw& draw, const Objective& objective) {
   constexpr int kDrawn = 60;
   reference::RandomValues random(climb.seed);
   std::array<double, N> best{};
   double local = 0;
-  double worst = 0;
+  Peak<N> worst;
   const int length = std::max(climb.evaluations / climb.restarts, 1);
   for (int n = 0; n < climb.evaluations; ++n) {
     if (n % length == 0) local = 0;
@@ -46,9 +53,15 @@ double Largest(const Climb& climb, const Draw& draw, const Objective& objective)
       local = value;
       best = c;
     }
-    worst = std::max(worst, value);
+    if (value > worst.value) worst = {value, c};
   }
   return worst;
+}
+
+/// The value alone.
+template <std::size_t N, class Draw, class Objective>
+double Largest(const Climb& climb, const Draw& draw, const Objective& objective) {
+  return HighestPeak<N>(climb, draw, objective).value;
 }
 
 }  // namespace rasterproof

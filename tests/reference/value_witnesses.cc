@@ -1,0 +1,248 @@
+#include "tests/reference/value_witnesses.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "reference/value_methods.h"
+#include "tests/reference/value_truth.h"
+
+namespace rasterproof::reference::witness {
+namespace {
+
+template <class T>
+double RatioOf(const ValueWitness& witness, double scale) {
+  const auto* const method =
+      std::ranges::find(ValueMethods(), witness.method, &ValueMethod::name).base();
+  const auto number = [&](std::size_t k) { return static_cast<T>(witness.numbers[k]); };
+  ValueTask<T> task;
+  for (std::size_t i = 0; i < 3; ++i) {
+    task.v[i] = {number(3 * i), number(3 * i + 1), number(3 * i + 2)};
+    task.a[i] = number(9 + i);
+  }
+  task.x = number(12);
+  task.y = number(13);
+  task.steps = witness.steps;
+  return truth::ShareOfBound(*method, task, scale);
+}
+
+// Of a plane whose steps are a little less than half an ulp of 1: each is rounded away.
+constexpr double kSteppedCorner = 1 + 0x1p-24F * 0.999F * 0x1p20F;
+
+}  // namespace
+
+double ValueWitness::Ratio(double scale) const {
+  return is_float32 ? RatioOf<float>(*this, scale) : RatioOf<double>(*this, scale);
+}
+
+// Found by ValueMethods.NoSearchExceedsTheirBounds with RASTERPROOF_MORE=1, which prints what it
+// finds beyond them; `stepped` is constructed.
+const std::vector<ValueWitness>& ValueWitnesses() {
+  static const std::vector<ValueWitness> kWitnesses{
+      {"edge-products",
+       true,
+       {-0x1.02a522p+0, 0x1.000624p+0, 1, -0x1.141346p+0, 0, 1, 0x1.fff89p-1, 0x1.000106p-2, 1,
+        0x1.b8017ep-1, 0x1.278128p-1, -0x1.0858ap-2, 0x1.9a67fep-1, -0x1.000022p+1},
+       0},
+      {"edge-products",
+       false,
+       {0, 0x1.00167ff9ce2e2p+0, 1, -0x1.9323d8cdc90dfp+0, -0x1.00019ef1e29c9p+1, 1,
+        -0x1.31cc3025e98d9p-2, -0x1.0030c563279f1p+1, 1, 0x1.007bbd6c84b1cp+1, 0,
+        -0x1.e35871187cdcfp-2, 0x1.00003a4ed3e37p+1, -0x1.cacaf4d6705fap-2},
+       0},
+      {"differences",
+       true,
+       {0x1.000024p-2, 0x1.54fdacp-1, 1, 0x1.b81092p+0, -0x1.5e894cp-2, 1, 0x1.2ef366p+0,
+        -0x1.9e72c4p-2, 1, -0x1.ae6d34p+0, 0x1.01ec6ap+0, 0x1.ffddc2p-1, -0x1.664c16p+1,
+        -0x1.00035ep-1},
+       0},
+      {"differences",
+       false,
+       {0x1.0e9d94e0d4fdbp+1, 0x1.fffb366920765p-1, 1, -0x1.000096467b6cfp-1, 0x1.3da92c9950425p+0,
+        1, 0x1.a219177ca3305p+0, 0x1.039ac8fdb5236p-2, 1, -0x1.000034d638ec8p+1,
+        0x1.00003319cf6d5p-1, 0x1.000007459d61bp+0, -0x1.20a3672b30a1ap+1, 0x1.0071ce1d4ab68p+1},
+       0},
+      {"differences-fma",
+       true,
+       {-0x1.436f66p-2, 0x1.000004p+1, 1, 0x1.003f2cp-2, 0, 1, 0, -0x1.eb8ff8p-1, 1, 0x1.e4a9e4p+0,
+        -0x1.a2b60cp+1, -0x1.bdf888p+1, -0x1.4642acp+0, -0x1.3e001ep+1},
+       0},
+      {"differences-fma",
+       false,
+       {-0x1.00001b3a28168p-2, 0x1.00393d8bb420fp-2, 1, 0x1.e4df92464e448p-2, 0x1.2caaeb024e99ap-2,
+        1, 0x1.dfb68d197c445p-2, 0x1.0016d62ded5b3p-1, 1, 0x1.fffd3f8e449c4p-2,
+        -0x1.03853191304dep+1, -0x1.01a92d8dbaf59p+1, 0, -0x1.7dd37ff5028e5p-1},
+       0},
+      {"origin-plane",
+       true,
+       {0, 0x1.7584b2p+0, 1, 0x1.00074cp-2, -0x1.0017ap+0, 1, -0x1.648af2p+0, -0x1.000794p+1, 1, 0,
+        -0x1.46ac86p+0, -0x1.67b2a4p-2, -0x1.7d5812p-1, 0},
+       0},
+      {"origin-plane",
+       false,
+       {0x1.e2d684e69b447p+1, 0x1.000003ffcaa61p-1, 1, -0x1.01170357b0794p-2, 0x1.03c018ae4e154p-2,
+        1, 0x1.00148796ff332p+0, -0x1.00000a5f6f087p+1, 1, 0x1.000003ee7bf0ap-1,
+        -0x1.22922b2c791b3p-1, 0x1.00a9f147c536ap-2, 0x1.00000af5b390bp+1, 0},
+       0},
+      {"vertex-plane",
+       true,
+       {0x1.002abp-1, -0x1.0003f4p+0, 1, 0x1.1022fcp+1, 0x1.0055aap+0, 1, -0x1.b128b6p-1,
+        0x1.00000cp-1, 1, 0x1.1e52fep+0, -0x1.b73b4ep+1, -0x1.00061p-2, 0x1.03b8fap-1,
+        -0x1.6dfd4ep-2},
+       0},
+      {"vertex-plane",
+       false,
+       {0x1.0000b3e05b76p-1, -0x1.0003f3817597dp+0, 1, 0x1.1022ffd430479p+1, 0x1.0055a999b4441p+0,
+        1, -0x1.b128b56fbf0fdp-1, 0x1.00000dfb59bf9p-1, 1, 0x1.1e535d04c0835p+0,
+        -0x1.b73b4d66cb6ecp+1, -0x1.000606233cffbp-2, 0x1.fab8463ed261ap-2, -0x1.6dfd4e9cad4ebp-2},
+       0},
+      {"stepped",
+       true,
+       {0, 0, 1, 0x1p+20, 0, 1, 0, 0x1p+20, 1, 1, kSteppedCorner, 1, 0, 0},
+       kMostValueSteps},
+      {"perspective-planes",
+       true,
+       {-0x1.006d9cp+1, -0x1.00b9acp-2, 0x1.010388p+0, -0x1.001136p-2, 0, -0x1.c040cep+0, 0,
+        -0x1.3379bp+0, 0x1.8798eep+0, 0x1.3833f4p-1, 0, -0x1.f480a8p+1, 0, 0x1.855d02p-2},
+       0},
+      {"perspective-planes",
+       false,
+       {0x1.000003ee779dap-1, 0, -0x1.001ca311ff609p-1, 0x1.2e4df4eb6cd7ep-2, -0x1.2dd242b2b6313p+0,
+        0x1.9f343559579bbp+0, -0x1.e2e6b11930fa9p-1, 0, -0x1.00067cb811db6p-2, 0,
+        -0x1.00000b983727ep+1, 0, 0, -0x1.00035041ce468p-1},
+       0},
+      {"perspective-planes-fma",
+       true,
+       {0x1.00736cp+1, 0x1.ffedf4p+0, 0x1.025e34p+0, 0, -0x1.032ac6p+0, 0x1.00592ap+1,
+        0x1.039e1ep+1, 0, -0x1.025498p+1, 0, -0x1.fdc9bap-1, -0x1.02ed8ap+1, 0, 0},
+       0},
+      {"perspective-planes-fma",
+       false,
+       {0, -0x1.000022df47eadp+0, -0x1.00002cf0c6b97p+1, 0, 0x1.00041b24c7334p+0,
+        -0x1.0000549bfc3c8p+1, -0x1.00028a5f14b31p+1, -0x1.e0dca9d9067edp+0, 0x1.00001e6a4bb3cp+0,
+        0, 0x1.0025a33ad089cp+0, -0x1.fdb3df40176b2p+0, 0, 0},
+       0},
+      {"inverse-matrix",
+       true,
+       {0x1.0007b4p-2, 0, 0x1.475bap+1, -0x1.e932c2p+0, -0x1.00006ap-1, -0x1.0017bap+1, 0,
+        0x1.03f512p+1, -0x1.0003e2p-1, 0, 0x1.01ba2ap-1, 0x1.03268ep-1, -0x1.815338p+1,
+        0x1.000024p-2},
+       0},
+      {"inverse-matrix",
+       false,
+       {0x1.0002eb9500404p-2, -0x1.6da93314e74dcp+1, 0x1.e1fa67d3ba4a1p+1, 0, -0x1.66d29c5946e81p+1,
+        -0x1.d6307b7c0cafp+0, 0, -0x1.00074f9ccba42p-1, 0x1.375ca32ba5fb7p-2, 0x1.7b30828a20c29p-2,
+        -0x1.01631db83a42ap-1, 0x1.c9983ee1697bbp-1, -0x1.7150fad4c2deep+0, -0x1.d54022e7b08a8p-2},
+       0},
+      {"perspective-weights",
+       true,
+       {-0x1.98076p-2, 0x1.006d0ap+1, 0x1.0007c4p+0, 0, 0x1.fe549ep-2, -0x1.ef5f2ap+0,
+        -0x1.418af2p-2, 0x1.00002cp-2, 0x1.181ae2p+1, 0x1.3903a2p+0, 0x1.00436p-2, 0,
+        -0x1.004532p+1, -0x1.e64e26p-2},
+       0},
+      {"perspective-weights",
+       false,
+       {0x1.000006ab27a5cp+0, -0x1.da0b356a7dacfp-2, -0x1.e503ab29d63f5p+1, 0x1.003a30c034548p-1, 0,
+        0x1.6c0b3d207d31p-2, 0x1.000017517ca18p-1, -0x1.0c74c6869836bp+0, 1, 0x1.6dad7418926cp+0,
+        -0x1.00056717de93bp-1, -0x1.00eef644e192ap+1, 0x1.f5c89cef0fd7p-2, 0x1.00000730bbb5cp+0},
+       0},
+      {"reciprocal-12",
+       true,
+       {0, 0, 1, 0x1.fcc7eap-1, -0x1.fc71b2p-3, -0x1.031676p-2, 0, -0x1.00ccdap+0, -0x1.f74f5ap-2,
+        -0x1.f44028p-1, 0x1.fd1214p-1, -0x1.08b332p+0, 0, 0},
+       0},
+      {"reciprocal-12",
+       false,
+       {-0x1.02ba49f6c307bp-1, -0x1.2eed14cb79d13p+1, 0x1.3a55f671ecab5p-1, 0, 0x1.0f088fef8d673p+0,
+        -0x1.2092af74b1b9bp+1, 0x1.be38fc946c4e2p+1, -0x1.00188835d7a2ep+0, 0x1.a2301a8d2e779p-2, 0,
+        -0x1.00004a6ae0e53p-1, 0, 0, 0x1.000e6d56de618p-2},
+       0},
+      {"reciprocal-12-newton",
+       true,
+       {-0x1.0185dap-2, -0x1.001a1p-1, 0x1.2e3eap+1, 0x1.00001ap-2, 0x1.000fecp-2, -0x1.144204p+1,
+        0x1.ca883ap-1, 0x1.be8fa6p+0, 1, 0x1.a40beap+1, 0x1.25ef6cp-2, 0x1.b795ap-2, 0x1.309368p+0,
+        -0x1.241e44p+1},
+       0},
+      {"reciprocal-12-newton",
+       false,
+       {-0x1.00ab1454be8cap-2, 0x1.99de09fe704e5p+0, 0x1.50c229e20ea7ap+1, 0x1.00031e219ee16p-1, 0,
+        -0x1.00006f2de92fp+1, -0x1.000007d3aaf58p-2, -0x1.002072476851fp+0, 0x1.0ae7f1352f151p+1,
+        -0x1.0000d11d3f21fp+1, 0, -0x1.6b3a7c28ba7e2p+1, 0, 0},
+       0},
+      {"reciprocal-12-newton-2",
+       true,
+       {-0x1.00428ep-2, 0, 0x1.4b8374p+1, -0x1.def7e6p-1, -0x1.007e52p-1, -0x1.ddfe58p+0, 0,
+        0x1.446adap-1, -0x1.000048p+0, -0x1.000044p+1, 0, -0x1.043316p-1, -0x1.e27fbep+1,
+        0x1.0000fep-1},
+       0},
+      {"reciprocal-12-newton-2",
+       false,
+       {-0x1.00031ff456ed1p-2, -0x1.00048e07d1e89p-2, -0x1.000025ede1f46p+1, -0x1.032e49ece5b36p+1,
+        0x1.000005ffd89ap+1, 0x1.000008aa95afbp+0, 0x1.088cb42713c0fp+1, 0x1.c099306b54dbcp+0,
+        0x1.ff5e69a91c672p-2, -0x1.0000b0210c163p+1, -0x1.00009d878ccb5p-2, -0x1.2891949fb3674p-1,
+        0, -0x1.44b95aae213d9p-1},
+       0},
+      {"reciprocal-14",
+       true,
+       {0, 0, -0x1.ff9b3ap-1, 0x1.e23d82p-1, 0, 0x1.002e2ap+0, 0x1.48324p-2, 0x1.000f72p+1,
+        0x1.06bee8p+0, 0x1.fffc6p-3, -0x1.630baap+0, 0x1.04b8ecp-1, 0, 0},
+       0},
+      {"reciprocal-14",
+       false,
+       {-0x1.000003c19daedp-1, -0x1.2eed14cb79d13p+1, 0x1.3a55f6724599fp-1, 0, 0x1.0f088fef8e1c2p+0,
+        -0x1.2092af74b1d56p+1, 0x1.be49729c1ba1cp+1, -0x1.0018c2d1d432ap+0, 0x1.a2301a8d335c5p-2, 0,
+        -0x1.00004a6ae0e53p-1, 0, 0, 0x1.000e6d56de618p-2},
+       0},
+      {"reciprocal-14-newton",
+       true,
+       {0, -0x1.000004p-1, 0x1.002d22p-2, 0x1.ff42d6p-3, 0, 0x1.a2767ep+0, 0x1.b19de6p-2,
+        0x1.011f1ep-1, -0x1.00063cp+0, 0x1.00079ap-1, 0, 0x1.95e9d4p-1, -0x1.001d3p+1, 0},
+       0},
+      {"reciprocal-14-newton",
+       false,
+       {-0x1.00cbe072cf857p-2, 0, -0x1.000073374286fp+1, 0, 0x1.a55b1625e381fp-1,
+        -0x1.63e06f55e66d8p+0, 0x1.00002c347c0f3p+1, -0x1.417f0acea2308p-2, 0x1.0002fbf82be6ep+0,
+        0x1.0029833ae6633p+0, 0, 0, 0, 0},
+       0},
+      {"reciprocal-14-newton-2",
+       true,
+       {0, -0x1.000004p-1, 0x1.002d22p-2, 0x1.ff42d6p-3, 0, 0x1.a2767ep+0, 0x1.b19de6p-2,
+        0x1.011f1ep-1, -0x1.00063cp+0, 0x1.00079ap-1, 0, 0x1.95e9d4p-1, -0x1.001d3p+1, 0},
+       0},
+      {"reciprocal-14-newton-2",
+       false,
+       {0, 0, 1, 0, 0x1.0000ae4484a86p-2, -0x1.000bbb41fdb06p+0, -0x1.0000163858bc5p+0,
+        0x1.0000c12ca2f8ep+0, 0x1.fffff8646487ap-2, 0, -0x1.3d0ef239067dcp+0, 0,
+        0x1.00001148e1183p-1, 0x1.0006ac60157b9p+1},
+       0},
+      {"quad-difference",
+       true,
+       {0x1.8695ep-2, 0x1.00b48ep+0, 1, 0x1.032438p-2, -0x1.b3d576p-1, 1, -0x1.04e6p-2,
+        -0x1.000074p+1, 1, 0x1.a61834p-1, -0x1.b73c1ap-1, -0x1.015a38p+1, 0x1p-2, -0x1.000056p-2},
+       0},
+      {"quad-difference",
+       false,
+       {0x1.ffb8933f89526p-2, -0x1.0000025f4ae4ap-2, 1, 0x1.00008d6cf767dp+1, -0x1.00f33f680dee4p-2,
+        1, 0x1.0881683d94f75p+0, 0x1.000f201b6795p-1, 1, 0, 0x1.007d207a8d8f7p+1, 0, -0x1.ap-1,
+        -0x1.00000698666c9p-2},
+       0},
+      {"correctly-rounded",
+       true,
+       {-0x1.3e4354p-1, -0x1.79854cp-2, 0x1.0065fap+1, -0x1.000068p-2, 0, 0x1.2f28bep-2,
+        0x1.a8649p+1, -0x1.8bd602p-1, 0x1.38d16ep+0, 0x1.00001ep-1, -0x1.00097p+1, -0x1.539d98p-1,
+        0x1.00000ap+0, -0x1.006584p+1},
+       0},
+      {"correctly-rounded",
+       false,
+       {0x1.8ad26cd233f4bp+0, -0x1.f326802512ff2p-1, 0x1.0000c12660863p+0, 0x1.3694aa10af384p-2,
+        0x1.000476a2aded1p-1, -0x1.0000fb2f6f10cp+0, -0x1.73fb6909a6b03p-2, 0x1.0000085eb8e89p-1, 1,
+        -0x1.00014588868a4p-2, 0x1.18288f1982b6ap+0, -0x1.f4ed67d98cd08p+1, -0x1.03bf0f0284b66p+0,
+        -0x1.66ae5c3563832p+1},
+       0},
+  };
+  return kWitnesses;
+}
+
+}  // namespace rasterproof::reference::witness

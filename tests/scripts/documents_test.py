@@ -82,6 +82,18 @@ class BenchTablesTest(unittest.TestCase):
         self.assertEqual(len(table), 3)
         self.assertRaises(SystemExit, self.script.sentences, ["singles"], [wide])
 
+    def test_a_method_of_values_is_told_by_its_extremes(self):
+        rows = [{"method": "m", "family": family, "target": "avx2", "ns": ns, "ulps": ulps,
+                 "share_of_bound": share}
+                for family, ns, ulps, share in (("a", 2, 0.5, 0.25), ("b", 1, 2e9, "nan"))]  # fmt: skip
+        result = {**self.result, "date": "today", "processor": "one", "value_rows": rows,
+                  "value_families": [{"name": "a", "floor_ns": 0.5}]}  # fmt: skip
+        self.assertEqual(self.script.values(result)[2:], [
+            "| floor |  | 0.50 (`a`) | 0.50 (`a`) |  |  |",
+            "| `m` | avx2 | 1.00 (`b`) | 2.00 (`a`) | 2.0e+09 (`b`) | 0.250 |", "",
+            "today, one."])  # fmt: skip
+        self.assertIn("Not to be quoted", self.script.values({**result, "load_before": 1})[-1])
+
     def test_a_claim_by_hand_is_found(self):
         check = load("check_claims")
         block = ("<!-- claims a, made by scripts/bench_tables -->\nA takes 3 times as long.\n"

@@ -90,12 +90,6 @@ BenchSetting SettingOf(const BenchOptions& options) {
   return setting;
 }
 
-// A mean over a minute of the processes that want a processor.
-double LoadOfMachine() {
-  double load = std::numeric_limits<double>::quiet_NaN();
-  return getloadavg(&load, 1) == 1 ? load : std::numeric_limits<double>::quiet_NaN();
-}
-
 // What a library's compiler was told, from the options that it leaves in debug information or by
 // -frecord-gcc-switches. Empty if the file does not tell.
 std::string MarchOf(const std::string& file) {
@@ -415,6 +409,11 @@ bool LacksAUsers(const BenchResult& result) {
 
 }  // namespace
 
+double LoadOfMachine() {
+  double load = std::numeric_limits<double>::quiet_NaN();
+  return getloadavg(&load, 1) == 1 ? load : std::numeric_limits<double>::quiet_NaN();
+}
+
 int RunBench(const BenchOptions& options) {
   RequireHonestEnvironment();
   for (const std::string& file : {options.json, options.svg}) {
@@ -425,6 +424,7 @@ int RunBench(const BenchOptions& options) {
     BenchResult found;
     if (options.from.empty()) {
       found.setting = SettingOf(options);
+      found.setting.load_before = LoadOfMachine();
     } else {
       found = report::ReadBench(options.from);
     }

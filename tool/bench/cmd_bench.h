@@ -30,6 +30,10 @@ struct BenchOptions {
   int width = 1920;          ///< of meshes
   int height = 1080;
 };
+
+/// How many processes want a processor, a mean over a minute; NaN where the system does not say.
+double LoadOfMachine();
+
 int RunBench(const BenchOptions& options);
 
 }  // namespace rasterproof::tool

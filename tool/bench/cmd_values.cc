@@ -30,6 +30,8 @@ void PrintValues(const BenchOptions& options, BenchResult& result) {
     result.value_limits.clear();
     bench::RunValues(values, result);
   }
+  // A record that is added to keeps its own.
+  if (options.from.empty()) result.setting.load_after = LoadOfMachine();
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
   io::WriteStandardOutput(report::ValuesToTable(report::AsRecorded(result)));
 }

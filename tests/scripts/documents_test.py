@@ -85,7 +85,8 @@ class BenchTablesTest(unittest.TestCase):
     def test_a_method_of_values_is_told_by_its_extremes(self):
         rows = [{"method": "m", "family": family, "target": "avx2", "ns": ns, "ulps": ulps,
                  "share_of_bound": share}
-                for family, ns, ulps, share in (("a", 2, 0.5, 0.25), ("b", 1, 2e9, "nan"))]  # fmt: skip
+                for family, ns, ulps, share in (
+                    ("a", 2, 0.5, 0.25), ("b", 1, 2e9, "nan"))]  # fmt: skip
         result = {**self.result, "date": "today", "processor": "one", "value_rows": rows,
                   "value_families": [{"name": "a", "floor_ns": 0.5}]}  # fmt: skip
         self.assertEqual(self.script.values(result)[2:], [

@@ -10,8 +10,8 @@
 namespace rasterproof::subjects {
 namespace {
 
-// Every number in every way. The triangle's number comes with its corners: softpipe's gl_PrimitiveID
-// is -1 in every fragment.
+// Every number in every way. The triangle's number comes with its corners: softpipe's
+// gl_PrimitiveID is -1 in every fragment.
 constexpr const char* kValueVertexShader = R"(#version 330 core
 layout(location = 0) in vec4 clip;
 layout(location = 1) in vec4 numbers;

@@ -10,7 +10,10 @@ import sys
 import unittest
 
 PROGRAM, FOLDER = (os.path.abspath(path) for path in sys.argv[1:3])
-DRIVERS = glob.glob(os.path.join(FOLDER, "*-values.so"))
+# softpipe's coverage breaks its set (docs/findings.md, 2).
+DRIVERS = [
+    path for path in glob.glob(os.path.join(FOLDER, "*-values.so")) if "softpipe" not in path
+]
 MULTISAMPLED = glob.glob(os.path.join(FOLDER, "*-values-4x.so"))
 
 

@@ -89,9 +89,13 @@ if(SUBJECT_GL_FOUND)
   endfunction()
   rasterproof_gl_clip_subject(gl-llvmpipe-clip llvmpipe)
   rasterproof_gl_clip_subject(gl-llvmpipe-values llvmpipe RASTERPROOF_GL_SHOWS_VALUES)
+  rasterproof_gl_clip_subject(
+    gl-llvmpipe-values-4x llvmpipe RASTERPROOF_GL_SHOWS_VALUES SAMPLES 4)
+  rasterproof_gl_clip_subject(gl-softpipe-values softpipe RASTERPROOF_GL_SHOWS_VALUES)
   if(gpu)
     rasterproof_gl_clip_subject(gl-gpu-clip "")
     rasterproof_gl_clip_subject(gl-gpu-values "" RASTERPROOF_GL_SHOWS_VALUES)
+    rasterproof_gl_clip_subject(gl-gpu-values-4x "" RASTERPROOF_GL_SHOWS_VALUES SAMPLES 4)
   endif()
 endif()
 
@@ -114,9 +118,14 @@ if(SUBJECT_VULKAN_FOUND)
         ${PROJECT_SOURCE_DIR}/subjects/vulkan/${shader}
       DEPENDS subjects/vulkan/${shader} VERBATIM)
   endforeach()
-  add_custom_target(vulkan_shaders DEPENDS
+  add_custom_command(OUTPUT ${shaders}/sample_values.frag.h
+    COMMAND ${GLSLANG} -V --quiet -DEACH_SAMPLE --vn kSampleFragmentShader
+      -o ${shaders}/sample_values.frag.h ${PROJECT_SOURCE_DIR}/subjects/vulkan/values.frag
+    DEPENDS subjects/vulkan/values.frag ${shaders}/values.frag.h VERBATIM)
+  set(shader_headers
     ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/values.vert.h
-    ${shaders}/values.frag.h ${shaders}/read_samples.comp.h)
+    ${shaders}/values.frag.h ${shaders}/sample_values.frag.h ${shaders}/read_samples.comp.h)
+  add_custom_target(vulkan_shaders DEPENDS ${shader_headers})
   # rasterproof_vulkan_subject(NAME INSTALL DESCRIPTION DEVICE HALF_VIEWPORT [SAMPLES [DEFINITION]])
   # An empty description: the drivers that are installed, and any GPU.
   function(rasterproof_vulkan_subject name install description device half)
@@ -133,8 +142,7 @@ if(SUBJECT_VULKAN_FOUND)
       SOURCES
         subjects/vulkan/vulkan.cc subjects/vulkan/counter.cc subjects/vulkan/interpolator.cc
         subjects/vulkan/painter.cc subjects/vulkan/sample_reader.cc subjects/shaded/shaded.cc
-        ${shaders}/triangle.vert.h ${shaders}/triangle.frag.h ${shaders}/values.vert.h
-        ${shaders}/values.frag.h ${shaders}/read_samples.comp.h
+        ${shader_headers}
       LINK PkgConfig::SUBJECT_VULKAN
       DEFINITIONS
         RASTERPROOF_VULKAN_NAME="${name}" RASTERPROOF_VULKAN_ICD="${found}"
@@ -157,12 +165,18 @@ if(SUBJECT_VULKAN_FOUND)
   endforeach()
   # Clip space is theirs to divide: beside the subjects that do so.
   function(rasterproof_vulkan_values name install description device half)
-    rasterproof_vulkan_subject(
-      ${name} "${install}" "${description}" "${device}" ${half} 1 RASTERPROOF_VULKAN_SHOWS_VALUES)
-    if(TARGET plugin_${name})
-      set_target_properties(plugin_${name} PROPERTIES
-        LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/clip_space)
-    endif()
+    foreach(samples 1 4)
+      set(ending "")
+      if(samples GREATER 1)
+        set(ending -${samples}x)
+      endif()
+      rasterproof_vulkan_subject(${name}${ending} "${install}" "${description}" "${device}" ${half}
+        ${samples} RASTERPROOF_VULKAN_SHOWS_VALUES)
+      if(TARGET plugin_${name}${ending})
+        set_target_properties(plugin_${name}${ending} PROPERTIES
+          LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/plugins/clip_space)
+      endif()
+    endforeach()
   endfunction()
   rasterproof_vulkan_values(vulkan-lavapipe-values mesa-vulkan-drivers
     "/usr/share/vulkan/icd.d/lvp_icd.*.json" llvmpipe 8192)

@@ -38,7 +38,7 @@ GlCounter::GlCounter(const char* gallium_driver, GlSubmission submission, int sa
   if (!renderer.starts_with(gallium_driver)) {
     throw std::runtime_error("the renderer is " + renderer);
   }
-  if (samples_ > 1) reader_.emplace(samples_);
+  if (samples_ > 1) reader_.emplace(samples_, GL_RG32F);
   program_ = MakeProgram(kCountVertexShader, kCountFragmentShader);
   glGenVertexArrays(1, &attributes_);
   glBindVertexArray(attributes_);

@@ -24,13 +24,19 @@ using Drawer = GlCounter;
 // elsewhere. llvmpipe interpolates between vertices as given; a GPU may do so between snapped ones.
 constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKES_WANTS |
                                  RASTERPROOF_SHOWS_VALUES | RASTERPROOF_SHOWS_DERIVATIVES;
+// Where several samples lie OpenGL does not say: here, where the standard patterns have them.
+std::string SampleLocations() {
+  if (RASTERPROOF_GL_SAMPLES == 1) return R"("centroid": "inside", )";
+  return R"("sample_locations": "standard-)" RASTERPROOF_GL_SAMPLES_TEXT
+         R"(", "centroid": "inside", )";
+}
 std::string States() {
   constexpr bool kIsGpu = *RASTERPROOF_GL_DRIVER == '\0';
-  return std::string(kIsGpu ? R"("subpixel_bits": 8, )" : "") +
+  return std::string(kIsGpu ? R"("subpixel_bits": 8, )" : "") + SampleLocations() +
          R"("contract": "none", "coordinate_limit": 1024,
             "values": {"weights": "perspective", "provoking": "last", "derivatives": "fine",
                        "flat": true, "linear": true, "inverse_w": true, "centres": true,
-                       "flushes": true})";
+                       "centroids": true, "flushes": true})";
 }
 #elif defined(RASTERPROOF_GL_CLIP_SPACE)
 // In clip space the division is the driver's as well: held to it, to every sample. Within 1024 none
@@ -67,7 +73,8 @@ const std::string& Profile() {
 void* Open() {
   try {
 #if defined(RASTERPROOF_GL_SHOWS_VALUES)
-    return std::make_unique<GlInterpolator>(RASTERPROOF_GL_DRIVER).release();
+    return std::make_unique<GlInterpolator>(RASTERPROOF_GL_DRIVER, RASTERPROOF_GL_SAMPLES)
+        .release();
 #else
     return std::make_unique<GlCounter>(RASTERPROOF_GL_DRIVER,
                                        GlSubmission::RASTERPROOF_GL_SUBMISSION,

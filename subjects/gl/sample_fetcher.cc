@@ -16,17 +16,19 @@ void main() {
 constexpr const char* kFetchFragmentShader = R"(#version 330 core
 uniform sampler2DMS drawn;
 uniform int samples;
-out vec2 counts;
+out vec4 texel;
 void main() {
   ivec2 at = ivec2(gl_FragCoord.xy);
-  counts = texelFetch(drawn, ivec2(at.x / samples, at.y), at.x % samples).xy;
+  texel = texelFetch(drawn, ivec2(at.x / samples, at.y), at.x % samples);
 }
 )";
 
 }  // namespace
 
-SampleFetcher::SampleFetcher(int samples)
-    : samples_(samples), program_(MakeProgram(kFetchVertexShader, kFetchFragmentShader)) {
+SampleFetcher::SampleFetcher(int samples, GLenum format)
+    : samples_(samples),
+      format_(format),
+      program_(MakeProgram(kFetchVertexShader, kFetchFragmentShader)) {
   glUseProgram(program_);
   glUniform1i(glGetUniformLocation(program_, "drawn"), 0);
   glUniform1i(glGetUniformLocation(program_, "samples"), samples);
@@ -40,11 +42,12 @@ void SampleFetcher::Resize(int width, int height) {
   if (texture_ != 0) glDeleteTextures(1, &texture_);
   glGenTextures(1, &texture_);
   glBindTexture(GL_TEXTURE_2D, texture_);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RG32F, columns_, rows_, 0, GL_RG, GL_FLOAT, nullptr);
+  glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format_), columns_, rows_, 0, GL_RGBA, GL_FLOAT,
+               nullptr);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
-    throw std::runtime_error("the driver cannot draw into RG32F");
+    throw std::runtime_error("the driver cannot draw into floats");
   }
 }
 

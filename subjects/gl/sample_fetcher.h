@@ -10,7 +10,8 @@ namespace rasterproof::subjects {
 /// Domain:     the context that it was made in is current.
 class SampleFetcher {
  public:
-  explicit SampleFetcher(int samples);
+  /// `format`: of two or four floats, that of its framebuffer.
+  SampleFetcher(int samples, GLenum format);
 
   void Resize(int width, int height);
   /// Fetches all samples of the texture into the columns [samples x + s] of a framebuffer of one
@@ -20,6 +21,7 @@ class SampleFetcher {
 
  private:
   int samples_;
+  GLenum format_;
   GLuint program_;
   GLuint vertices_ = 0;  ///< none
   GLuint framebuffer_ = 0;

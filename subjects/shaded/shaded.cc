@@ -15,7 +15,9 @@ struct Drawn {
   const rasterproof_target& target;
   const float* texels;
 
-  std::size_t Columns() const { return static_cast<std::size_t>(scene.width); }
+  std::size_t Columns() const {
+    return static_cast<std::size_t>(scene.width) * static_cast<std::size_t>(target.samples);
+  }
   std::size_t Pixels() const { return Columns() * static_cast<std::size_t>(scene.height); }
   std::size_t At(std::size_t n) const { return n / Columns() * target.stride + n % Columns(); }
   const float* Of(ShaderOutput output, std::size_t n) const {
@@ -56,7 +58,7 @@ PassKinds AddChannels(const rasterproof_scene& scene, std::size_t first,
   PassKinds kinds{};
   for (std::size_t c = 0; c < count; ++c) {
     const rasterproof_channel& channel = scene.channels[first + c];
-    kinds[c] = channel.interpolation;
+    kinds[c] = channel.interpolation + 4 * channel.at;
     if (channel.values == nullptr) continue;
     for (std::size_t k = 0; k < 3 * scene.triangle_count; ++k)
       corners[kCornerFloats * k + 4 + c] = static_cast<float>(channel.values[scene.triangles[k]]);
@@ -78,9 +80,14 @@ bool AddClipPlace(const double* vertex, double half_viewport, std::vector<float>
 }
 
 std::int32_t DrawInPasses(const rasterproof_scene& scene, const rasterproof_target& target,
-                          double half_viewport, std::vector<float>& corners,
+                          double half_viewport, int samples, std::vector<float>& corners,
                           const std::function<const float*(const PassKinds&)>& paint) {
-  if (scene.width > half_viewport || scene.height > half_viewport || target.samples != 1) return 1;
+  if (target.samples != samples) return 1;
+  // The samples of a row may be read side by side, in a texture as wide as the viewport.
+  if (scene.width > half_viewport || scene.height > half_viewport ||
+      scene.width * samples > 2 * half_viewport) {
+    return 1;
+  }
   corners.clear();
   for (std::size_t k = 0; k < 3 * scene.triangle_count; ++k) {
     const double* const vertex = scene.vertices + 4 * scene.triangles[k];

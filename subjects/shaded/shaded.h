@@ -27,7 +27,9 @@ enum ShaderOutput : std::uint8_t {
   kShaderOutputs
 };
 
-/// How each of the four numbers of a pass is interpolated: enum rasterproof_interpolation.
+/// How each of the four numbers of a pass is interpolated, and where: enum
+/// rasterproof_interpolation + 4 * enum rasterproof_at. With one sample a pixel the three places
+/// are one, its centre.
 using PassKinds = std::array<std::int32_t, 4>;
 
 /// Appends x and y of a vertex (x, y, z, w) as clip coordinates, which the driver takes back to the
@@ -36,11 +38,11 @@ using PassKinds = std::array<std::int32_t, 4>;
 bool AddClipPlace(const double* vertex, double half_viewport, std::vector<float>& clip);
 
 /// Draws the corners of the scene, which it puts together in `corners`, by `paint`: returns the
-/// texels [output][row][column][4].
+/// texels [output][row][column * samples][4].
 ///
-/// Returns:    0, or 1 if the scene is out of range.
+/// Returns:    0, or 1 if the scene is out of range or the target has another number of samples.
 std::int32_t DrawInPasses(const rasterproof_scene& scene, const rasterproof_target& target,
-                          double half_viewport, std::vector<float>& corners,
+                          double half_viewport, int samples, std::vector<float>& corners,
                           const std::function<const float*(const PassKinds&)>& paint);
 
 }  // namespace rasterproof::subjects

@@ -14,7 +14,9 @@ VulkanCounter::VulkanCounter(const VulkanDriver& driver)
                         .inputs = 1,
                         .components = 2,
                         .layers = 1,
-                        .adds = true}) {}
+                        .adds = true,
+                        .shades_samples = false,
+                        .depths_in_layer = -1}) {}
 
 std::int32_t VulkanCounter::Draw(const rasterproof_scene& scene, const rasterproof_target& target) {
   const int most = painter_.half_viewport();

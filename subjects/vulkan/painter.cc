@@ -26,8 +26,11 @@ VkPipelineColorBlendAttachmentState Blending(bool adds) {
 
 constexpr VkImageSubresourceRange kWhole{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0,
                                          VK_REMAINING_ARRAY_LAYERS};
+constexpr VkImageSubresourceRange kAllDepths{VK_IMAGE_ASPECT_DEPTH_BIT, 0, 1, 0, 1};
+constexpr VkFormat kDepthFormat = VK_FORMAT_D32_SFLOAT;
 
-void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to) {
+void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkImageLayout to,
+                const VkImageSubresourceRange& range = kWhole) {
   VkImageMemoryBarrier barrier{};
   barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER;
   barrier.srcAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
@@ -37,7 +40,7 @@ void Transition(VkCommandBuffer commands, VkImage image, VkImageLayout from, VkI
   barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
   barrier.image = image;
-  barrier.subresourceRange = kWhole;
+  barrier.subresourceRange = range;
   vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
                        VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
 }
@@ -123,11 +126,14 @@ void VulkanPainter::MakeDevice(const char* name) {
   VkPhysicalDeviceVulkan13Features features{};
   features.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES;
   features.dynamicRendering = VK_TRUE;
+  VkPhysicalDeviceFeatures of_samples{};
+  of_samples.sampleRateShading = painting_.shades_samples ? VK_TRUE : VK_FALSE;
   VkDeviceCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
   info.pNext = &features;
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue;
+  info.pEnabledFeatures = &of_samples;
   Require(vkCreateDevice(physical_, &info, nullptr, &device_), "no Vulkan device");
   vkGetDeviceQueue(device_, 0, 0, &queue_);
 }
@@ -142,7 +148,7 @@ void VulkanPainter::RequireSamples() const {
   VkImageFormatProperties format{};
   Require(vkGetPhysicalDeviceImageFormatProperties(physical_, Format(), VK_IMAGE_TYPE_2D,
                                                    VK_IMAGE_TILING_OPTIMAL, Usage(), 0, &format),
-          "no multisampled image of two floats");
+          "no multisampled image of floats");
   if ((format.sampleCounts & sample_bit_) == 0) throw std::runtime_error("not so many samples");
 }
 
@@ -221,6 +227,11 @@ void VulkanPainter::MakePipeline() {
   const std::vector formats(painting_.layers, Format());
   rendering.colorAttachmentCount = painting_.layers;
   rendering.pColorAttachmentFormats = formats.data();
+  if (KeepsDepths()) rendering.depthAttachmentFormat = kDepthFormat;
+  VkPipelineDepthStencilStateCreateInfo depths{};
+  depths.sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO;
+  depths.depthTestEnable = depths.depthWriteEnable = KeepsDepths() ? VK_TRUE : VK_FALSE;
+  depths.depthCompareOp = VK_COMPARE_OP_ALWAYS;
   VkGraphicsPipelineCreateInfo info{};
   info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
   info.pNext = &rendering;
@@ -231,6 +242,7 @@ void VulkanPainter::MakePipeline() {
   info.pViewportState = &views;
   info.pRasterizationState = &raster;
   info.pMultisampleState = &samples;
+  info.pDepthStencilState = &depths;
   info.pColorBlendState = &blend;
   info.pDynamicState = &dynamic;
   info.layout = layout_;
@@ -282,40 +294,68 @@ void VulkanPainter::Grow(VulkanBuffer& buffer, VkDeviceSize size, VkBufferUsageF
   buffer.size = size;
 }
 
-void VulkanPainter::ReleaseImage() {
+void VulkanPainter::ReleaseImage(VulkanImage& image) {
+  vkDestroyImage(device_, image.image, nullptr);
+  vkFreeMemory(device_, image.memory, nullptr);
+  image = {};
+}
+
+void VulkanPainter::ReleaseTarget() {
   for (VkImageView view : views_) vkDestroyImageView(device_, view, nullptr);
-  vkDestroyImage(device_, image_, nullptr);
-  vkFreeMemory(device_, image_memory_, nullptr);
+  vkDestroyImageView(device_, layers_, nullptr);
+  vkDestroyImageView(device_, depth_view_, nullptr);
+  ReleaseImage(colors_);
+  ReleaseImage(depths_);
+}
+
+VulkanImage VulkanPainter::MakeImage(VkFormat format, std::uint32_t layers,
+                                     VkImageUsageFlags usage) {
+  VulkanImage made;
+  VkImageCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+  info.imageType = VK_IMAGE_TYPE_2D;
+  info.format = format;
+  info.extent = {extent_.width, extent_.height, 1};
+  info.mipLevels = 1;
+  info.arrayLayers = layers;
+  info.samples = sample_bit_;
+  info.usage = usage;
+  Require(vkCreateImage(device_, &info, nullptr, &made.image), "no image");
+  VkMemoryRequirements needs{};
+  vkGetImageMemoryRequirements(device_, made.image, &needs);
+  made.memory = Allocate(needs, 0);
+  Require(vkBindImageMemory(device_, made.image, made.memory, 0), "no bound image");
+  return made;
+}
+
+VkImageView VulkanPainter::MakeView(VkImage image, VkImageViewType type, VkFormat format,
+                                    const VkImageSubresourceRange& range) {
+  VkImageViewCreateInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+  info.image = image;
+  info.viewType = type;
+  info.format = format;
+  info.subresourceRange = range;
+  VkImageView view = VK_NULL_HANDLE;
+  Require(vkCreateImageView(device_, &info, nullptr, &view), "no image view");
+  return view;
 }
 
 void VulkanPainter::Resize(std::uint32_t width, std::uint32_t height) {
   if (width == extent_.width && height == extent_.height) return;
-  ReleaseImage();
+  ReleaseTarget();
   extent_ = {width, height};
-  VkImageCreateInfo info{};
-  info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
-  info.imageType = VK_IMAGE_TYPE_2D;
-  info.format = Format();
-  info.extent = {width, height, 1};
-  info.mipLevels = 1;
-  info.arrayLayers = painting_.layers;
-  info.samples = sample_bit_;
-  info.usage = Usage();
-  Require(vkCreateImage(device_, &info, nullptr, &image_), "no image");
-  VkMemoryRequirements needs{};
-  vkGetImageMemoryRequirements(device_, image_, &needs);
-  image_memory_ = Allocate(needs, 0);
-  Require(vkBindImageMemory(device_, image_, image_memory_, 0), "no bound image");
-  VkImageViewCreateInfo view{};
-  view.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
-  view.image = image_;
-  view.viewType = VK_IMAGE_VIEW_TYPE_2D;
-  view.format = Format();
-  views_.resize(painting_.layers);
+  colors_ = MakeImage(Format(), painting_.layers, Usage());
+  views_.clear();
   for (std::uint32_t k = 0; k < painting_.layers; ++k) {
-    view.subresourceRange = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, k, 1};
-    Require(vkCreateImageView(device_, &view, nullptr, &views_[k]), "no image view");
+    views_.push_back(MakeView(colors_.image, VK_IMAGE_VIEW_TYPE_2D, Format(),
+                              {VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, k, 1}));
   }
+  if (reader_) layers_ = MakeView(colors_.image, VK_IMAGE_VIEW_TYPE_2D_ARRAY, Format(), kWhole);
+  if (!KeepsDepths()) return;
+  depths_ = MakeImage(kDepthFormat, 1,
+                      VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT | VK_IMAGE_USAGE_SAMPLED_BIT);
+  depth_view_ = MakeView(depths_.image, VK_IMAGE_VIEW_TYPE_2D, kDepthFormat, kAllDepths);
 }
 
 void VulkanPainter::Upload(std::span<const float> vertices, std::span<const std::int32_t> indices) {
@@ -326,26 +366,35 @@ void VulkanPainter::Upload(std::span<const float> vertices, std::span<const std:
   if (!indices.empty()) std::memcpy(indices_.mapped, indices.data(), indices.size_bytes());
 }
 
+VkRenderingAttachmentInfo VulkanPainter::Attachment(VkImageView view) const {
+  VkRenderingAttachmentInfo info{};
+  info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+  info.imageView = view;
+  info.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
+  info.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+  info.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
+  return info;
+}
+
 void VulkanPainter::Record(std::uint32_t indices, const PassKinds& constants) {
   VkCommandBufferBeginInfo begin{};
   begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
   Require(vkBeginCommandBuffer(commands_, &begin), "no commands");
-  Transition(commands_, image_, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
+  Transition(commands_, colors_.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL);
   std::vector<VkRenderingAttachmentInfo> colors;
-  for (VkImageView view : views_) {
-    VkRenderingAttachmentInfo& color = colors.emplace_back();
-    color.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
-    color.imageView = view;
-    color.imageLayout = VK_IMAGE_LAYOUT_GENERAL;
-    color.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
-    color.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
-  }
+  for (VkImageView view : views_) colors.push_back(Attachment(view));
   VkRenderingInfo rendering{};
   rendering.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
   rendering.renderArea = {{0, 0}, extent_};
   rendering.layerCount = 1;
   rendering.colorAttachmentCount = painting_.layers;
   rendering.pColorAttachments = colors.data();
+  const VkRenderingAttachmentInfo depths = Attachment(depth_view_);
+  if (KeepsDepths()) {
+    Transition(commands_, depths_.image, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_GENERAL,
+               kAllDepths);
+    rendering.pDepthAttachment = &depths;
+  }
   vkCmdBeginRendering(commands_, &rendering);
   vkCmdBindPipeline(commands_, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
   vkCmdSetScissor(commands_, 0, 1, &rendering.renderArea);
@@ -362,16 +411,27 @@ void VulkanPainter::Record(std::uint32_t indices, const PassKinds& constants) {
 
 void VulkanPainter::RecordReading() {
   if (reader_) {
-    Transition(commands_, image_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL);
-    reader_->Record(commands_, views_[0], texels_.buffer, extent_, samples_);
+    Transition(commands_, colors_.image, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL);
+    if (KeepsDepths()) {
+      Transition(commands_, depths_.image, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_GENERAL,
+                 kAllDepths);
+    }
+    reader_->Record(commands_, layers_, KeepsDepths() ? depth_view_ : views_[0], texels_.buffer,
+                    {.width = static_cast<std::int32_t>(extent_.width),
+                     .height = static_cast<std::int32_t>(extent_.height),
+                     .samples = samples_,
+                     .layers = static_cast<std::int32_t>(painting_.layers),
+                     .components = static_cast<std::int32_t>(painting_.components),
+                     .depths_in_layer = painting_.depths_in_layer});
     return;
   }
-  Transition(commands_, image_, VK_IMAGE_LAYOUT_GENERAL, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  Transition(commands_, colors_.image, VK_IMAGE_LAYOUT_GENERAL,
+             VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
   VkBufferImageCopy copy{};
   copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, painting_.layers};
   copy.imageExtent = {extent_.width, extent_.height, 1};
-  vkCmdCopyImageToBuffer(commands_, image_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, texels_.buffer, 1,
-                         &copy);
+  vkCmdCopyImageToBuffer(commands_, colors_.image, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+                         texels_.buffer, 1, &copy);
 }
 
 void VulkanPainter::Run() {
@@ -403,7 +463,7 @@ VulkanPainter::~VulkanPainter() {
   vkDeviceWaitIdle(device_);
   reader_.reset();
   for (VulkanBuffer* buffer : {&vertices_, &indices_, &texels_}) Release(*buffer);
-  ReleaseImage();
+  ReleaseTarget();
   vkDestroyFence(device_, fence_, nullptr);
   vkDestroyCommandPool(device_, pool_, nullptr);
   vkDestroyPipeline(device_, pipeline_, nullptr);

@@ -15,6 +15,12 @@
 
 namespace rasterproof::subjects {
 
+/// What is drawn into.
+struct VulkanImage {
+  VkImage image = VK_NULL_HANDLE;
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+};
+
 /// Memory that both sides see.
 struct VulkanBuffer {
   VkBuffer buffer = VK_NULL_HANDLE;
@@ -43,6 +49,9 @@ struct VulkanPainting {
   std::uint32_t components;  ///< floats of an input and of a texel: 2 or 4
   std::uint32_t layers;      ///< outputs of the fragment shader
   bool adds;                 ///< instead of replacing what is there
+  bool shades_samples;       ///< the fragment shader is run for each sample
+  /// The layer whose fourth float is the depth that was written; -1: there are no depths.
+  std::int32_t depths_in_layer;
 };
 
 /// Draws a mesh in one draw.
@@ -75,7 +84,13 @@ class VulkanPainter {
   void Grow(VulkanBuffer& buffer, VkDeviceSize size, VkBufferUsageFlags usage);
   void Release(VulkanBuffer& buffer);
   void Resize(std::uint32_t width, std::uint32_t height);
-  void ReleaseImage();
+  bool KeepsDepths() const { return painting_.depths_in_layer >= 0; }
+  VulkanImage MakeImage(VkFormat format, std::uint32_t layers, VkImageUsageFlags usage);
+  VkImageView MakeView(VkImage image, VkImageViewType type, VkFormat format,
+                       const VkImageSubresourceRange& range);
+  void ReleaseImage(VulkanImage& image);
+  void ReleaseTarget();
+  VkRenderingAttachmentInfo Attachment(VkImageView view) const;
   void Upload(std::span<const float> vertices, std::span<const std::int32_t> indices);
   void Record(std::uint32_t indices, const PassKinds& constants);
   void RecordReading();
@@ -95,9 +110,11 @@ class VulkanPainter {
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
   VkExtent2D extent_{};
-  VkImage image_ = VK_NULL_HANDLE;
-  VkDeviceMemory image_memory_ = VK_NULL_HANDLE;
-  std::vector<VkImageView> views_;  ///< one a layer
+  VulkanImage colors_;
+  VulkanImage depths_;
+  std::vector<VkImageView> views_;           ///< one a layer
+  VkImageView layers_ = VK_NULL_HANDLE;      ///< of all, for the reader
+  VkImageView depth_view_ = VK_NULL_HANDLE;  ///< if depths are kept
   VulkanBuffer vertices_;
   VulkanBuffer indices_;
   VulkanBuffer texels_;

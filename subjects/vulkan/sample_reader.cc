@@ -10,7 +10,8 @@ namespace rasterproof::subjects {
 namespace {
 
 constexpr std::array kKinds{VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER,
-                            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER};
+                            VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                            VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER};
 constexpr std::uint32_t kGroupSide = 8;  // as in the shader
 
 }  // namespace
@@ -34,7 +35,7 @@ void SampleReader::MakeLayouts() {
   set.bindingCount = static_cast<std::uint32_t>(bindings.size());
   set.pBindings = bindings.data();
   Require(vkCreateDescriptorSetLayout(device_, &set, nullptr, &set_layout_), "no set layout");
-  constexpr VkPushConstantRange kShape{VK_SHADER_STAGE_COMPUTE_BIT, 0, 3 * sizeof(std::int32_t)};
+  constexpr VkPushConstantRange kShape{VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(SampleShape)};
   VkPipelineLayoutCreateInfo layout{};
   layout.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
   layout.setLayoutCount = 1;
@@ -71,9 +72,10 @@ void SampleReader::MakeSet() {
   Require(vkAllocateDescriptorSets(device_, &set, &set_), "no descriptor set");
 }
 
-void SampleReader::Record(VkCommandBuffer commands, VkImageView view, VkBuffer texels,
-                          VkExtent2D extent, int samples) {
-  const VkDescriptorImageInfo image{sampler_, view, VK_IMAGE_LAYOUT_GENERAL};
+void SampleReader::Record(VkCommandBuffer commands, VkImageView layers, VkImageView depths,
+                          VkBuffer texels, const SampleShape& shape) {
+  const VkDescriptorImageInfo image{sampler_, layers, VK_IMAGE_LAYOUT_GENERAL};
+  const VkDescriptorImageInfo depth{sampler_, depths, VK_IMAGE_LAYOUT_GENERAL};
   const VkDescriptorBufferInfo buffer{texels, 0, VK_WHOLE_SIZE};
   std::array<VkWriteDescriptorSet, kKinds.size()> writes{};
   for (std::uint32_t k = 0; k < writes.size(); ++k) {
@@ -85,17 +87,17 @@ void SampleReader::Record(VkCommandBuffer commands, VkImageView view, VkBuffer t
   }
   writes[0].pImageInfo = &image;
   writes[1].pBufferInfo = &buffer;
+  writes[2].pImageInfo = &depth;
   vkUpdateDescriptorSets(device_, static_cast<std::uint32_t>(writes.size()), writes.data(), 0,
                          nullptr);
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
   vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, layout_, 0, 1, &set_, 0,
                           nullptr);
-  const std::array<std::int32_t, 3> shape{static_cast<std::int32_t>(extent.width),
-                                          static_cast<std::int32_t>(extent.height), samples};
-  vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(shape),
-                     shape.data());
-  vkCmdDispatch(commands, (extent.width + kGroupSide - 1) / kGroupSide,
-                (extent.height + kGroupSide - 1) / kGroupSide, 1);
+  vkCmdPushConstants(commands, layout_, VK_SHADER_STAGE_COMPUTE_BIT, 0, sizeof(shape), &shape);
+  const auto groups = [](std::int32_t side) {
+    return (static_cast<std::uint32_t>(side) + kGroupSide - 1) / kGroupSide;
+  };
+  vkCmdDispatch(commands, groups(shape.width), groups(shape.height), 1);
 }
 
 SampleReader::~SampleReader() {

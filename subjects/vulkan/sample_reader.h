@@ -4,7 +4,20 @@
 
 #include <vulkan/vulkan.h>
 
+#include <cstdint>
+
 namespace rasterproof::subjects {
+
+/// What is read: every layer, every sample, so many floats of each; in one layer, if any, the depth
+/// in place of the fourth.
+struct SampleShape {
+  std::int32_t width;
+  std::int32_t height;
+  std::int32_t samples;
+  std::int32_t layers;
+  std::int32_t components;
+  std::int32_t depths_in_layer;  ///< -1: in none
+};
 
 /// Domain:     a device that outlives it, and a queue that computes.
 class SampleReader {
@@ -14,10 +27,10 @@ class SampleReader {
   SampleReader(const SampleReader&) = delete;
   SampleReader& operator=(const SampleReader&) = delete;
 
-  /// Records the copy of the image, which is in layout GENERAL, into [height][width][sample] pairs
-  /// of floats.
-  void Record(VkCommandBuffer commands, VkImageView view, VkBuffer texels, VkExtent2D extent,
-              int samples);
+  /// Records the copy of the layers and depths, which are in layout GENERAL, into
+  /// [layer][height][width][sample][component] floats. `depths`: any view of one layer, if unread.
+  void Record(VkCommandBuffer commands, VkImageView layers, VkImageView depths, VkBuffer texels,
+              const SampleShape& shape);
 
  private:
   void MakeLayouts();

@@ -27,10 +27,11 @@ constexpr std::uint32_t kTakes = RASTERPROOF_TAKES_CLIP_SPACE | RASTERPROOF_TAKE
 std::string States() {
   const bool is_llvmpipe = std::string_view(kDriver.device) == "llvmpipe";
   return (is_llvmpipe ? "" : R"("subpixel_bits": )" + std::to_string(SubpixelBits()) + ", ") +
-         R"("contract": "none", "coordinate_limit": 1024,
+         R"("sample_locations": "standard-)" + std::to_string(kDriver.samples) +
+         R"(", "centroid": "inside", "contract": "none", "coordinate_limit": 1024,
             "values": {"weights": "perspective", "provoking": "first", "derivatives": "fine",
                        "flat": true, "linear": true, "inverse_w": true, "centres": true,
-                       "flushes": true})";
+                       "centroids": true, "flushes": true})";
 }
 #else
 using Drawer = VulkanCounter;

@@ -1,4 +1,4 @@
-// What a triangle costs as triangles grow, and as they become more.
+// What a triangle costs as triangles grow and become more, on larger targets, by more threads.
 #ifndef RASTERPROOF_BENCH_COST_CURVE_H_
 #define RASTERPROOF_BENCH_COST_CURVE_H_
 

@@ -19,10 +19,12 @@
 namespace rasterproof::bench {
 
 struct CurveOptions {
-  /// Names of parameters ("pixels" and "triangles" are costs) and of methods; empty: all.
+  /// Names of parameters ("pixels", "target", "threads" and "triangles" are costs) and of methods;
+  /// empty: all.
   std::vector<std::string> parameters;
   std::vector<std::string> methods;
-  /// Costs are measured up to this number of triangles. 10^7 take 2 GB and a second a draw.
+  /// Costs are measured up to this number of triangles: of a method up to a draw of a second. 10^7
+  /// take half a GB.
   std::uint64_t most_triangles = 100'000;
   std::size_t rounds = 5;  ///< of each cost
   /// WallSeconds() from which on no more methods, and no more costs, are begun.
@@ -38,7 +40,8 @@ std::vector<BenchPoint> ErrorCurve(SceneDrawer& drawer, const Parameter& paramet
 
 /// Adds to the result the curves of errors of each name once, as RunCliffs, and of costs of every
 /// contender that counts by facing: seconds a triangle against pixels a triangle (1 to 10^6) and
-/// against triangles (10^2 to most_triangles, of 20 pixels).
+/// against triangles (10^2 to most_triangles, of 20 pixels); of every one that draws masks against
+/// the target's side (256 to 16384); of the library into every sink against threads (1, 2, 4, ...).
 ///
 /// Domain:     as RunCliffs.
 void RunCurves(std::span<const std::unique_ptr<Contender>> contenders, const CurveOptions& options,

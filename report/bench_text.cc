@@ -167,4 +167,27 @@ std::string BenchToTable(const BenchResult& result) {
   return lacking.empty() ? table : table + "\n" + lacking + "\n";
 }
 
+std::string CostsToTable(const BenchResult& result) {
+  std::string text;
+  for (std::uint32_t k = 0; k < result.parameters.size(); ++k) {
+    const BenchParameter& parameter = result.parameters[k];
+    std::string lines;
+    for (const BenchCurve& curve : result.curves) {
+      if (!parameter.is_cost || curve.parameter != k) continue;
+      const BenchMethod& method = result.methods[curve.method];
+      lines +=
+          fmt::format("  {:<36}", fmt::format("{} {} {}", method.name, method.target, method.sink));
+      for (const BenchPoint& point : curve.points) {
+        lines += fmt::format("  {:g}: {:.4g}", point.value, 1e9 * point.time.median);
+      }
+      lines += '\n';
+    }
+    if (lines.empty()) continue;
+    text += fmt::format("{}{}\n  {}: nanoseconds a triangle\n{}", text.empty() ? "" : "\n",
+                        parameter.summary, parameter.unit, lines);
+  }
+  const std::string lacking = NotMeasuredText(result);
+  return lacking.empty() ? text : text + "\n" + lacking + "\n";
+}
+
 }  // namespace rasterproof::report

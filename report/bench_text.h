@@ -21,6 +21,9 @@ std::string_view MarchText(const BenchMethod& method);
 /// A table a family, cheapest first within a sink.
 std::string BenchToTable(const BenchResult& result);
 
+/// A table a parameter of costs: nanoseconds a triangle of each method at each value.
+std::string CostsToTable(const BenchResult& result);
+
 }  // namespace rasterproof::report
 
 #endif  // RASTERPROOF_REPORT_BENCH_TEXT_H_

@@ -5,14 +5,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "bench/cost_curve.h"
 #include "bench/parameter.h"
 #include "core/ulp.h"
+#include "library/kernels/kernel.h"
 #include "reference/method.h"
 #include "tests/share.h"
 
@@ -113,6 +119,68 @@ TEST(RunCurves, MeasuresCostsOfWhatCountsByFacing) {
   for (const BenchCurve& curve : result.curves) {
     for (const BenchPoint& point : curve.points) EXPECT_GT(point.time.median, 0);
   }
+}
+
+const BenchParameter& ParameterOf(const BenchResult& result, const BenchCurve& curve) {
+  return result.parameters[curve.parameter];
+}
+
+TEST(RunCurves, MeasuresMasksOverTheTargetAndTheLibraryOverThreads) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  for (const auto sink : {library::kernels::Sink::kMask, library::kernels::Sink::kFacing}) {
+    contenders.push_back(MakeKernelContender(library::kernels::KernelMethod::kExact,
+                                             library::kernels::Target::kScalar, sink));
+  }
+  CurveOptions options;
+  options.parameters = {"target", "threads"};
+  options.rounds = 1;
+  BenchResult result;
+  RunCostCurves(contenders, options, result);
+  ASSERT_EQ(result.curves.size(), 1 + library::kernels::kSinks.size());
+  EXPECT_EQ(ParameterOf(result, result.curves[0]).name, "target");
+  EXPECT_EQ(result.methods[result.curves[0].method].sink, "mask");
+  EXPECT_EQ(result.curves[0].points.front().value, 256);
+  EXPECT_EQ(result.curves[0].points.back().value, 16384);
+  std::set<std::string> sinks;
+  for (const BenchCurve& curve : std::span(result.curves).subspan(1)) {
+    EXPECT_EQ(ParameterOf(result, curve).name, "threads");
+    EXPECT_EQ(result.methods[curve.method].name, "library");
+    sinks.insert(result.methods[curve.method].sink);
+    ASSERT_GE(curve.points.size(), 2U);
+    EXPECT_EQ(curve.points[1].value, 2);
+    for (const BenchPoint& point : curve.points) EXPECT_GT(point.time.median, 0);
+  }
+  EXPECT_EQ(sinks.size(), library::kernels::kSinks.size());
+}
+
+// A draw of it is said to take half a second.
+class Slow final : public Contender {
+ public:
+  Slow() { method_.name = "slow", method_.sink = "facing"; }
+  std::optional<std::string> WhyNot(const FamilyInput&) const override { return std::nullopt; }
+  void Load(const FamilyInput& family) override { triangles_ = family.scene.triangles.size(); }
+  DrawTime Draw() override {
+    const double seconds = 5e-3 * static_cast<double>(triangles_);
+    return {.seconds = seconds, .wall_seconds = seconds};
+  }
+  bool MoveDrawn(CoverageCounts&) override { return false; }
+  void DrawAlone(std::size_t, const PixelRect&, std::vector<std::uint8_t>&) override {}
+  std::uint64_t LeftBehind() override { return 0; }
+
+ private:
+  std::size_t triangles_ = 0;
+};
+
+TEST(RunCurves, BeginNoDrawThatWouldTakeLong) {
+  std::vector<std::unique_ptr<Contender>> contenders;
+  contenders.push_back(std::make_unique<Slow>());
+  CurveOptions options;
+  options.parameters = {"triangles"};
+  BenchResult result;
+  RunCostCurves(contenders, options, result);
+  ASSERT_EQ(result.curves.size(), 1U);
+  EXPECT_EQ(result.curves[0].points.size(), 1U);
+  EXPECT_NEAR(result.curves[0].points[0].time.median, 5e-3, 1e-9);
 }
 
 TEST(ScatteredTriangles, AreAsManyAsAskedFor) {

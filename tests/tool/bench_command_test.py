@@ -242,6 +242,22 @@ class Bench(unittest.TestCase):
             section = page[page.index('id="interpolation"'):]
             self.assertIn("library-nearest", section)
 
+    def test_growth_is_measured_recorded_and_added_to_an_earlier_record(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "growth.json")
+            more = ("--growth", "--budget", "1ms", "--json", path)
+            done = bench(*more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("costs over triangles from", done.stdout)
+            done = bench("--growth", "--subject", "library", "--json", path, "--from", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("Threads of the library", done.stdout)
+            with open(path, encoding="utf-8") as file:
+                result = json.load(file)
+            curves = {(one["method"], one["sink"], one["parameter"]) for one in result["curves"]}
+            self.assertEqual(len(curves), len(result["curves"]))
+            self.assertIn(("library", "mask", "threads"), curves)
+
     def test_limits_are_cases_that_replay(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "limits.json")

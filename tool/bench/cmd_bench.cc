@@ -23,6 +23,7 @@
 #include "bench/bench.h"
 #include "bench/cliff.h"
 #include "bench/contender.h"
+#include "bench/cost_curve.h"
 #include "bench/curve.h"
 #include "bench/family.h"
 #include "bench/fingerprint.h"
@@ -398,6 +399,42 @@ int FingerprintsAlone(const BenchOptions& options) {
   return kExitHolds;
 }
 
+// How times grow, alone, added to the record that the options name.
+int Growth(const BenchOptions& options) {
+  BenchResult result;
+  if (options.from.empty()) {
+    result.setting = SettingOf(options);
+    result.setting.load_before = LoadOfMachine();
+  } else {
+    result = report::ReadBench(options.from);
+  }
+  {
+    Progress progress;
+    bench::CurveOptions curves;
+    curves.parameters = {"target", "threads", "triangles"};
+    curves.methods = options.subjects;
+    curves.most_triangles = 10'000'000;
+    curves.end = WallSeconds() + options.budget;
+    curves.progress = [&](const std::string& stage) { progress.Stage(stage); };
+    std::erase_if(result.curves, [&](const BenchCurve& curve) {
+      const std::string& name = result.parameters[curve.parameter].name;
+      return std::ranges::find(curves.parameters, name) != curves.parameters.end();
+    });
+    std::erase_if(result.not_measured, [&](const std::string& what) {
+      return std::ranges::any_of(curves.parameters, [&](const std::string& name) {
+        return what.starts_with("costs over " + name);
+      });
+    });
+    const auto contenders =
+        bench::OwnContenders(bench::ContenderChoice::kQuick, TargetOf(options.target));
+    bench::RunCostCurves(contenders, curves, result);
+  }
+  if (options.from.empty()) result.setting.load_after = LoadOfMachine();
+  if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
+  io::WriteStandardOutput(report::CostsToTable(result));
+  return kExitHolds;
+}
+
 // Whether one of the user's own was measured on no family at all.
 bool LacksAUsers(const BenchResult& result) {
   for (std::size_t k = 0; k < result.methods.size(); ++k) {
@@ -431,6 +468,7 @@ int RunBench(const BenchOptions& options) {
     PrintValues(options, found);
     return kExitHolds;
   }
+  if (options.growth) return Growth(options);
   if (options.limits) {
     const auto contenders = ContendersOf(options);
     BenchResult found;

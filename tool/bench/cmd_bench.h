@@ -15,6 +15,7 @@ struct BenchOptions {
   std::vector<std::string> plugins;   ///< libraries to time too, in this process
   std::vector<std::string> programs;  ///< commands to time too, on a pipe
   bool values = false;                ///< only measure interpolated values
+  bool growth = false;                ///< only measure costs over triangles, target and threads
   bool limits = false;                ///< only find cliffs, each plugin in its own process
   std::string save;                   ///< folder for the case of each cliff; empty: none
   std::string target;                 ///< instruction set of all kernels; empty: see bench.h

@@ -36,7 +36,9 @@ class SubjectContender : public Contender {
     method_.summary = info.summary;
     method_.kind = "yours";
     method_.target = "its own";
-    method_.sink = NameOf(library::kernels::Sink::kFacing);
+    const bool is_mask = info.coverage == CoverageKind::kMask;
+    method_.sink =
+        NameOf(is_mask ? library::kernels::Sink::kMask : library::kernels::Sink::kFacing);
     method_.traversal = method_.arithmetic = "its own";
     method_.space = info.takes_window ? "window" : "clip";
     method_.model = info.profile.name;

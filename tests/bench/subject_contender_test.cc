@@ -129,6 +129,13 @@ TEST(LibraryContender, LeavesOutWhatADrawWithoutTrianglesTakes) {
   EXPECT_DOUBLE_EQ(contender->conversion_seconds(), 2);
 }
 
+TEST(SubjectContender, StandsBesideKernelsOfItsSink) {
+  Scripted subject;
+  EXPECT_EQ(MakeSubjectContender(subject)->method().sink, "facing");
+  subject.info.coverage = CoverageKind::kMask;
+  EXPECT_EQ(MakeSubjectContender(subject)->method().sink, "mask");
+}
+
 TEST(SubjectContender, IsJudgedPairByPair) {
   Scripted nothing;
   const FamilyInput family = OneTriangle();

@@ -7,9 +7,8 @@ foreach(folder boost Random123 nlohmann hwy)
   file(CREATE_LINK ${${folder}_INCLUDE}/${folder} ${third}/${folder} SYMBOLIC)
 endforeach()
 target_include_directories(rasterproof_flags SYSTEM INTERFACE ${third})
-# Sizes have 32 bits here. What must not depend on that is compared with the command by the test.
+# Sizes have 32 bits here: -Wconversion names each place where 64 bits become a size.
 target_compile_options(rasterproof_flags INTERFACE -msimd128 -mbulk-memory -mnontrapping-fptoint
-  -Wno-shorten-64-to-32
   -Wno-unused-command-line-argument) # -fno-semantic-interposition
 target_compile_definitions(rasterproof_flags INTERFACE
   # Boost 1.74 asks for std::unary_function.

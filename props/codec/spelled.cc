@@ -26,7 +26,7 @@ class CoordinateSpeller {
     if (!std::isfinite(x_)) return false;
     if (FindFrom(x_, 0)) return true;
     // A step beside such a place: from there back.
-    for (std::uint64_t k = 0; k < kSpelledSteps.size(); ++k) {
+    for (std::size_t k = 0; k < kSpelledSteps.size(); ++k) {
       if (FindFrom(lattice_.Move(x_, -kSpelledSteps[k]), kFirstStep + k)) return true;
     }
     return false;

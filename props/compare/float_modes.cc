@@ -87,9 +87,13 @@ std::vector<UsualDrawing> DrawAsUsual(Subject& subject, std::uint64_t seed, std:
 }
 
 Row RowOf(const std::vector<UsualDrawing>& usual) {
-  return {.cases = usual.size(),
-          .at = [&usual](std::uint64_t index) { return usual[index].value; },
-          .draw = [&usual](const CaseAtHand& at) { return Drawn{{}, usual[at.index].drawing}; }};
+  return {
+      .cases = usual.size(),
+      .at = [&usual](std::uint64_t index) { return usual[static_cast<std::size_t>(index)].value; },
+      .draw =
+          [&usual](const CaseAtHand& at) {
+            return Drawn{{}, usual[static_cast<std::size_t>(at.index)].drawing};
+          }};
 }
 
 Yardstick ItselfInMode(Subject& subject, FloatMode mode, FloatMode option) {

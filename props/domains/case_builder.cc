@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -112,7 +113,7 @@ void CaseBuilder::OrderTriangles(Finish finish) {
   const bool reverse_all = bits_->Chance(128);
   std::vector<Triangle>& triangles = case_.scene.triangles;
   for (Triangle& t : triangles) {
-    std::rotate(t.begin(), t.begin() + bits_->Int(0, 2), t.end());
+    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(bits_->Int(0, 2)), t.end());
     if (finish == Finish::kMesh ? reverse_all : bits_->Chance(128)) std::swap(t[1], t[2]);
   }
   if (!bits_->Chance(128)) return;

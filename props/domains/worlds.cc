@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -111,7 +112,9 @@ Case Sheet(int side, const SubjectInfo& info) {
 // More than 2^16 triangles of fewer vertices; then more vertices, too.
 constexpr std::array kSheets{200, 260};
 
-Case LongLists(std::uint64_t index, const SubjectInfo& info) { return Sheet(kSheets[index], info); }
+Case LongLists(std::uint64_t index, const SubjectInfo& info) {
+  return Sheet(kSheets[static_cast<std::size_t>(index)], info);
+}
 
 // A triangle in each corner, and one from end to end whose long edges pass through samples.
 Case InCorners(int width, int height, const SubjectInfo& info) {

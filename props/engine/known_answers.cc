@@ -155,9 +155,11 @@ void KnownAnswers::Load(std::string_view saved) {
     }
     const auto& [first, second, times, size] = head;
     const bool is_count = times >= 1 && times <= INT32_MAX;
-    if (!is_count || size > saved.size() || !ReadOutcome(saved.substr(0, size))) throw error;
-    known[{first, second}] = {std::string(saved.substr(0, size)), static_cast<int>(times)};
-    saved.remove_prefix(size);
+    if (!is_count || size > saved.size()) throw error;
+    const std::string_view answer = saved.substr(0, static_cast<std::size_t>(size));
+    if (!ReadOutcome(answer)) throw error;
+    known[{first, second}] = {std::string(answer), static_cast<int>(times)};
+    saved.remove_prefix(answer.size());
   }
   known_ = std::move(known);
 }

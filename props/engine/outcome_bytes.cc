@@ -58,7 +58,8 @@ class OutcomeReader {
   bool IsGood() const { return is_good_; }
   bool IsAtEnd() const { return is_good_ && bytes_.empty(); }
 
-  std::uint64_t Number(std::uint64_t most) {
+  // What has `most` is a size, or 32 bits.
+  std::size_t Number(std::size_t most) {
     std::uint64_t n = 0;
     for (unsigned shift = 0; shift < 64; shift += 7) {
       if (bytes_.empty()) break;
@@ -67,7 +68,7 @@ class OutcomeReader {
       n |= std::uint64_t{byte & 0x7fU} << shift;
       if (byte < 0x80) {
         if (n > most) break;
-        return n;
+        return static_cast<std::size_t>(n);
       }
     }
     is_good_ = false;
@@ -158,7 +159,7 @@ std::string OutcomeBytes(const DrawOutcome& outcome) {
 std::optional<DrawOutcome> ReadOutcome(std::string_view bytes) {
   OutcomeReader in(bytes);
   DrawOutcome outcome;
-  outcome.end.stop = static_cast<Stop>(in.Number(static_cast<std::uint64_t>(Stop::kDeadline)));
+  outcome.end.stop = static_cast<Stop>(in.Number(static_cast<std::size_t>(Stop::kDeadline)));
   outcome.end.why = in.Text();
   Drawing& drawing = outcome.drawing;
   for (int* n : {&drawing.counts.width, &drawing.counts.height, &drawing.counts.samples}) {

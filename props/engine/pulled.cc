@@ -139,10 +139,10 @@ PulledCheck::~PulledCheck() = default;
 
 // A case under judgement. Its checks are made once, however many rounds its answers take.
 struct PulledCheck::Waiting {
-  Waiting(std::uint64_t place, const Property& property, const Case& c, const Description& subject)
+  Waiting(std::size_t place, const Property& property, const Case& c, const Description& subject)
       : number(place), judge(property, c, subject), tiers(scope.Counts()) {}
 
-  std::uint64_t number;
+  std::size_t number;
   exact::TierScope scope;  ///< of the judge's making
   CaseJudge judge;
   TierCounts tiers;
@@ -153,13 +153,13 @@ bool PulledCheck::JudgeCases(KnownAnswers& answers) {
   const auto is_done = [&](Waiting& one) {
     if (!JudgeAnswered(answers, one.judge, one.tiers)) return false;
     judged_[one.number] = Judged{one.judge.Result(), one.tiers};
-    if (EndsTheRun(one.judge.Result())) end_ = std::min(end_, one.number + 1);
+    if (EndsTheRun(one.judge.Result())) end_ = std::min<std::uint64_t>(end_, one.number + 1);
     return true;
   };
   waiting_.remove_if([&](Waiting& one) { return one.number >= end_ || is_done(one); });
   const Description description = DescriptionOf(answers);
   while (judged_.size() < end_ && answers.HasRoom()) {
-    const std::uint64_t number = judged_.size();
+    const std::size_t number = judged_.size();
     judged_.emplace_back();
     waiting_.emplace_back(number, property_, cases_->Draw(number), description);
     if (is_done(waiting_.back())) waiting_.pop_back();
@@ -192,8 +192,9 @@ bool PulledCheck::GoOn(KnownAnswers& answers) {
   if (!cases_) cases_ = std::make_unique<Cases>(answers, property_, options_);
   if (cases_->IsApplicable()) {
     if (!JudgeCases(answers)) return false;
-    const bool has_failed = end_ != 0 && judged_.size() >= end_ &&
-                            judged_[end_ - 1]->trial.verdict.outcome == Outcome::kViolated;
+    const bool has_failed =
+        end_ != 0 && judged_.size() >= end_ &&
+        judged_[static_cast<std::size_t>(end_ - 1)]->trial.verdict.outcome == Outcome::kViolated;
     if (has_failed && !shrinking_)
       shrinking_.emplace(property_, cases_->Draw(end_ - 1), options_.shrink_budget);
     if (shrinking_ && !shrinking_->GoOn(answers)) return false;

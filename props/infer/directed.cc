@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <string_view>
@@ -77,7 +78,7 @@ Scene Triangle3(const std::array<Point2, 3>& corners, BitSource& bits) {
   scene.height = kSide;
   for (const Point2 p : corners) scene.vertices.push_back({p.x, p.y, 0, 1});
   scene.triangles = {{0, 1, 2}};
-  const std::int64_t turn = bits.Int(0, 2);
+  const auto turn = static_cast<std::ptrdiff_t>(bits.Int(0, 2));
   if (bits.Chance(128)) scene.triangles[0] = {1, 0, 2};
   std::ranges::rotate(scene.triangles[0], scene.triangles[0].begin() + turn);
   return scene;

@@ -40,13 +40,14 @@ CaseOrder::Turn CaseOrder::TurnOf(std::uint64_t number) const {
 
 CaseName CaseOrder::Name(std::uint64_t number) const {
   const Turn turn = TurnOf(number);
-  if (turn.is_chosen) return chosen_[turn.number].name;
+  if (turn.is_chosen) return chosen_[static_cast<std::size_t>(turn.number)].name;
   return NameOfCase(domains_, first_index_, seed_, turn.number);
 }
 
 std::size_t CaseOrder::PlaceOf(std::uint64_t number) const {
   const Turn turn = TurnOf(number);
-  return turn.is_chosen ? chosen_[turn.number].place : turn.number % domains_.size();
+  return turn.is_chosen ? chosen_[static_cast<std::size_t>(turn.number)].place
+                        : static_cast<std::size_t>(turn.number % domains_.size());
 }
 
 }  // namespace rasterproof::props

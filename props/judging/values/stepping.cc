@@ -124,7 +124,7 @@ std::vector<SteppingQuery> LongRows(const PlacedCase& c, int steps) {
     const int i = static_cast<int>(choice % 3);
     const EdgeQuery from{corners.triangle, i, EdgeStart(corners.at, i), EdgeEnd(corners.at, i),
                          PlaceOf(c, 0, 0, 0)};
-    AddStepping(c, from, kSteps[choice / 3], steps, steppings);
+    AddStepping(c, from, kSteps[static_cast<std::size_t>(choice / 3)], steps, steppings);
   }
   return steppings;
 }

@@ -1,11 +1,13 @@
 #include "core/subject.h"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/call_end.h"
+#include "core/error.h"
 #include "core/evaluators.h"
 #include "core/float_mode.h"
 
@@ -44,6 +46,10 @@ std::vector<DrawOutcome> Subject::DrawMany(std::span<const DrawJob> jobs) {
   std::vector<DrawOutcome> outcomes;
   for (const DrawJob& job : jobs) {
     DrawOutcome& outcome = outcomes.emplace_back();
+    if (const std::optional<InputError> why = WhyNotDrawn(job)) {
+      outcome.end = {Stop::kNotDrawable, why->what()};
+      continue;
+    }
     std::string complaint;
     outcome.end = EndOf([&] {
       const WithinFloatMode mode(job.options.float_mode);

@@ -12,6 +12,7 @@
 #include "core/coverage.h"
 #include "core/draw_options.h"
 #include "core/drawing.h"
+#include "core/error.h"
 #include "core/scene.h"
 #include "core/subject_info.h"
 
@@ -60,6 +61,8 @@ class Subject {
   virtual const BarycentricEvaluator* Barycentrics() const { return nullptr; }
 
  protected:
+  /// Why a job can't be drawn: its outcome is kNotDrawable, and nothing is thrown.
+  virtual std::optional<InputError> WhyNotDrawn(const DrawJob& /*job*/) const { return {}; }
   /// Draws one job. A subject in this process overrides this function or Draw, or both; the default
   /// of each calls the other. EndOf() turns an exception into the end of the call.
   ///

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,6 +40,7 @@ class Rasterizer final : public Subject {
   }
 
  protected:
+  std::optional<InputError> WhyNotDrawn(const DrawJob& job) const override;
   Drawing Show(const DrawJob& job) override;
   void Draw(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) override;
 
@@ -370,6 +372,15 @@ Scene Rasterizer<Point>::Clipped(const Scene& scene) const {
     }
   }
   return pieces;
+}
+
+template <class Point>
+std::optional<InputError> Rasterizer<Point>::WhyNotDrawn(const DrawJob& job) const {
+  if (base_.why_not_whole == nullptr) return std::nullopt;
+  const Scene scene = SceneOf(job);
+  const Profile model = ModelOf(scene);
+  if (base_.has_stages == nullptr || base_.has_stages(scene, model)) return std::nullopt;
+  return base_.why_not_whole(Clipped(scene), model);
 }
 
 template <class Point>

@@ -8,6 +8,7 @@
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/error.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/subject.h"
@@ -33,6 +34,8 @@ struct Arithmetic {
   std::optional<Scene> (*to_window)(const Profile&, const Scene&) = nullptr;
   /// Whether the scene is drawn by stages. Null: each is.
   bool (*has_stages)(const Scene&, const Profile&) = nullptr;
+  /// Why one of the others can't be drawn. Null: each can.
+  std::optional<InputError> (*why_not_whole)(const Scene&, const Profile&) = nullptr;
   /// Draws the others.
   CoverageCounts (*whole)(const Scene&, const Profile&, const DrawOptions&) = nullptr;
 };

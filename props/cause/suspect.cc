@@ -7,6 +7,7 @@
 
 #include "core/coverage.h"
 #include "core/draw_options.h"
+#include "core/error.h"
 #include "exact/coverage.h"
 #include "exact/edge.h"
 #include "model/drop.h"
@@ -34,6 +35,9 @@ constexpr variants::Arithmetic<Point2> kExact{
       return ToWindow(scene, *profile.transform);
     },
     .has_stages = HasStages,
+    .why_not_whole = [](const Scene& scene, const Profile& profile) {
+      return exact::WhyNotDecided({scene, profile});
+    },
     .whole = [](const Scene& scene, const Profile& profile,
                 const DrawOptions& options) { return exact::Coverage(scene, profile, options); },
 };

@@ -87,5 +87,5 @@ export const rasterizers = {
   "half-bits": { profile: "d3d11", takes: ["window"], causes: true, make: () => snapped(4, topLeft) },
   open: { profile: "real", takes: ["window"], make: () => byPixels(open) },
   stepped: { profile: "real", takes: ["window"], make: () => byMethod("f32-incremental") },
-  homogeneous: { profile: "real", takes: ["clip"], make: () => byMethod("hom-scaled-f32") },
+  homogeneous: { profile: "real", takes: ["clip"], causes: true, make: () => byMethod("hom-scaled-f32") },
 };

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -65,7 +66,19 @@ std::string_view OutcomeOf(int status) {
   return status == kExitViolated ? "violated" : "inconclusive";
 }
 
-int TellJudged(const web::Session& session, int status) {
+// How many triangles the drawer lost in long calls while it proved itself.
+std::int64_t LostByDrawer(const JsonValue& root) {
+  std::int64_t lost = 0;
+  const std::optional<JsonValue> proof = root.Find("proof");
+  if (!proof || proof->kind() == JsonKind::kNull) return lost;
+  for (const JsonValue& check : proof->Get("checks").RequireArray()) {
+    const std::optional<JsonValue> of_check = check.Find("lost");
+    if (of_check) lost += of_check->RequireInteger(0, std::numeric_limits<std::int32_t>::max());
+  }
+  return lost;
+}
+
+int TellJudged(const web::Session& session, int status, std::int64_t lost) {
   std::string text;
   std::uint64_t cases = 0;
   std::size_t properties = 0;
@@ -81,6 +94,8 @@ int TellJudged(const web::Session& session, int status) {
       "device gave them is taken on trust.\n",
       session.info().name, OutcomeOf(status), io::ProfileName(session.info().profile), properties,
       cases);
+  if (lost > 0 && status == kExitInconclusive)
+    text += fmt::format("{} triangles were lost while the drawer proved itself.\n", lost);
   io::WriteStandardOutput(text);
   return status;
 }
@@ -109,12 +124,14 @@ int RunPassport(const std::string& path) {
   const JsonValue status = derived.root().Get("status");
   RequireFollows(result->Get("status"), status);
   RequireFollows(result->Get("subjects"), derived.root().Get("subjects"));
-  const int worst = static_cast<int>(status.RequireInteger(0, kExitInconclusive));
+  const std::int64_t lost = LostByDrawer(root);
+  int worst = static_cast<int>(status.RequireInteger(0, kExitInconclusive));
+  if (worst == kExitHolds && lost > 0) worst = kExitInconclusive;
   const JsonValue outcome = root.Get("outcome");
   if (outcome.RequireString() != OutcomeOf(worst))
     throw outcome.Error("does not follow from the answers that it rests on",
                         std::string(kSaveAgain));
-  return TellJudged(session, worst);
+  return TellJudged(session, worst, lost);
 }
 
 }  // namespace rasterproof::tool

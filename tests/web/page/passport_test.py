@@ -105,6 +105,15 @@ class Passport(unittest.TestCase):
                     self.assertIn("violated", self.page.text("verdict"))
         self.assertIn("```json", self.page.value("rasterproof.reportText()"))
 
+    def test_a_drawer_that_loses_triangles_of_long_calls_does_not_hold(self):
+        for api in ("webgpu", "webgl2"):
+            self.start(api, plant="every-1000th-of-a-call-lost")
+            certificate = self.certificate()
+            self.assertEqual(certificate["outcome"], "inconclusive")
+            self.assertEqual(certificate["result"]["status"], 0)
+            self.assertRegex(certificate["reason"], r"^\d+ triangles of long calls were lost")
+            self.assertIn("triangles of long calls were lost", self.page.text("status"))
+
     def test_a_reproducer_draws_its_case_alone(self):
         for api in ("webgpu", "webgl2"):
             self.page.open()

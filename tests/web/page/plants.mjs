@@ -39,6 +39,10 @@ export function plants(language) {
       ],
     },
     "every-1000th-lost": {passes: () => [{select: () => ++drawn % 1000 !== 0}]},
+    // Alike each time: only calls so long show it.
+    "every-1000th-of-a-call-lost": {
+      passes: () => [{select: (triangle) => triangle % 1000 !== 999}],
+    },
     "saturating": {blend: "max"},
     "lying-read-back": {
       read: (values) => {

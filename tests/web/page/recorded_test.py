@@ -43,6 +43,18 @@ class Recorded(unittest.TestCase):
         lost["outcome"] = "holds"
         self.assertEqual(self.judged(json.dumps(lost)).returncode, 2)
 
+    def test_a_drawer_that_lost_triangles_while_it_proved_itself_does_not_hold(self):
+        lossy = json.loads(recorded("swiftshader"))
+        counting = next(one for one in lossy["proof"]["checks"] if one["name"] == "counting")
+        counting["lost"] = 4
+        self.assertEqual(self.judged(json.dumps(lossy)).returncode, 2)  # it says that it holds
+        lossy["outcome"] = "inconclusive"
+        done = self.judged(json.dumps(lossy))
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertIn("4 triangles were lost", done.stdout)
+        counting["lost"] = "four"
+        self.assertEqual(self.judged(json.dumps(lossy)).returncode, 2)
+
     def test_the_triangle_that_is_lost_is_that_with_far_negative_corners(self):
         (failure,) = json.loads(recorded("llvmpipe"))["result"]["subjects"][0]["failures"]
         self.assertEqual((failure["property"], failure["actual"]), (ONCE, "covered 0 times"))

@@ -43,7 +43,7 @@ class Shaded : public testing::Test {
   }
 
   std::int32_t Draw() {
-    return DrawInPasses(scene_, target_, 64, corners_, [&](const PassKinds& kinds) {
+    return DrawInPasses(scene_, target_, 64, 1, corners_, [&](const PassKinds& kinds) {
       kinds_.push_back(kinds);
       numbers_given_.push_back(corners_[kCornerFloats + 4]);  // the first, of the second corner
       texels_.assign(4 * kShaderOutputs * kPixels, 0);
@@ -89,6 +89,14 @@ TEST_F(Shaded, PassesOfFourChannelsFillTheTarget) {
   }
 }
 
+TEST_F(Shaded, APassSaysWhereEachNumberIsEvaluated) {
+  channels_[1].at = RASTERPROOF_AT_CENTROID;
+  channels_[3].at = RASTERPROOF_AT_CENTRE;
+  ASSERT_EQ(Draw(), 0);
+  EXPECT_EQ(kinds_[0],
+            (PassKinds{0, 1 + 4 * RASTERPROOF_AT_CENTROID, 2, 4 * RASTERPROOF_AT_CENTRE}));
+}
+
 TEST_F(Shaded, ASceneWithoutChannelsTakesOnePass) {
   target_.values = target_.derivatives = nullptr;
   ASSERT_EQ(Draw(), 0);
@@ -102,6 +110,9 @@ TEST_F(Shaded, WhatTheDriverWouldClipOrRoundIsRefused) {
   EXPECT_EQ(Draw(), 1);
   vertices_[0] = 0;
   scene_.width = 65;
+  EXPECT_EQ(Draw(), 1);
+  scene_.width = 2;
+  target_.samples = 4;
   EXPECT_EQ(Draw(), 1);
   EXPECT_TRUE(kinds_.empty());
 }

@@ -191,6 +191,12 @@ constexpr std::array<std::pair<library::kernels::Sink, RasterOutput>, 5> kOutput
     {library::kernels::Sink::kDepth, RasterOutput::kDepths},
 }};
 
+// Of a row without room at its end: rows of masks 4096 bytes apart would share a cache's lines.
+std::size_t RowBytes(RasterOutput output, std::size_t width) {
+  if (output == RasterOutput::kMask) return width / 8;
+  return output == RasterOutput::kCounts ? width : width * sizeof(std::uint32_t);
+}
+
 // Memory for any output, with room after the last row.
 RasterTarget TargetOf(RasterOutput output, const Scene& scene, std::vector<std::uint32_t>& memory) {
   constexpr std::size_t kRoom = 1024;
@@ -199,8 +205,7 @@ RasterTarget TargetOf(RasterOutput output, const Scene& scene, std::vector<std::
   memory.resize(2 * words);
   const auto all = std::as_writable_bytes(std::span(memory));
   RasterTarget target{
-      output, scene.width, scene.height, width * sizeof(std::uint32_t), all.first(all.size() / 2),
-      {}};
+      output, scene.width, scene.height, RowBytes(output, width), all.first(all.size() / 2), {}};
   if (output == RasterOutput::kFacingCounts) target.back = all.last(all.size() / 2);
   return target;
 }

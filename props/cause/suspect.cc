@@ -35,9 +35,8 @@ constexpr variants::Arithmetic<Point2> kExact{
       return ToWindow(scene, *profile.transform);
     },
     .has_stages = HasStages,
-    .why_not_whole = [](const Scene& scene, const Profile& profile) {
-      return exact::WhyNotDecided({scene, profile});
-    },
+    .why_not_whole = [](const Scene& scene,
+                        const Profile& profile) { return exact::WhyNotDecided({scene, profile}); },
     .whole = [](const Scene& scene, const Profile& profile,
                 const DrawOptions& options) { return exact::Coverage(scene, profile, options); },
 };

@@ -94,7 +94,9 @@ class Drawers(unittest.TestCase):
                     record = self.proof(api, samples, name)
                     self.assertEqual(record["passed"], name not in refused, record)
                     self.assertIn(refused.get(name, ""), record["reason"] or "")
-                    if "1000th" in name:
+                    # WebGL2 counts 4 samples up to 512: none of its calls has a thousand.
+                    is_seen = name == "every-1000th-lost" or (api, samples) != ("webgl2", 4)
+                    if "1000th" in name and is_seen:
                         self.assertGreater(record["checks"][1]["lost"], 0)
                     if (samples, name) == (4, "second-sample-misplaced"):
                         self.assertFalse(record["checks"][-1]["standard"])

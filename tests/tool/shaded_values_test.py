@@ -10,10 +10,7 @@ import sys
 import unittest
 
 PROGRAM, FOLDER = (os.path.abspath(path) for path in sys.argv[1:3])
-# softpipe's coverage breaks its set (docs/findings.md, 2).
-DRIVERS = [
-    path for path in glob.glob(os.path.join(FOLDER, "*-values.so")) if "softpipe" not in path
-]
+DRIVERS = glob.glob(os.path.join(FOLDER, "*-values.so"))
 MULTISAMPLED = glob.glob(os.path.join(FOLDER, "*-values-4x.so"))
 
 
@@ -36,6 +33,8 @@ def legal_set_of(driver):
 class ShadedValues(unittest.TestCase):
     def test_the_legal_set_of_the_api_is_kept(self):
         for driver in DRIVERS + MULTISAMPLED:
+            if "softpipe" in driver:  # its coverage breaks it: docs/findings.md, 2
+                continue
             with self.subTest(driver=driver):
                 judged_by = ["--profile", legal_set_of(driver), "--device"]
                 _, text = check(driver, *judged_by, "--cases", "40")

@@ -283,8 +283,8 @@ const RECEIVE = {
   },
   again() {
     if (document.body.dataset.state !== "running") return;
-    byId("status").textContent = "All cases are judged. Its model is looked for once more, in a " +
-        "viewport of another size.";
+    byId("status").textContent = "All cases are judged. Its model is looked for once more, by " +
+        "corners inside a viewport.";
   },
   saved: ({bytes}) => keep(bytes),
   stopped({bytes}) {

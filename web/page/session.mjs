@@ -175,20 +175,30 @@ class Session {
 
   /** The model in viewports of two sizes; null if stopped. */
   async #models({subjects: [{model, model_text: text}]}) {
-    const {api, samples, seed, infer = true} = this.#asked;
+    const {infer = true} = this.#asked;
     if (!infer) return [];
     const {kind, reach} = this.#drawer.info.viewport;
-    const models = [{side: 2 * reach, model, text}];
+    let large = {side: 2 * reach, model, text};
+    // What leaves the viewport is clipped, and a model says nothing of that: then only what stays.
+    if (!model && kind === "centred") large = await this.#modelWithin(reach, reach);
     const isOther = kind === "centred" ? reach > SMALL_REACH : reach < SMALL_REACH;
-    if (!isOther || this.#drawer.info.largestTarget < 2 * SMALL_REACH) return models;
+    const hasRoom = this.#drawer.info.largestTarget >= 2 * SMALL_REACH;
+    if (!large || !isOther || !hasRoom) return large && [large];
+    const small = await this.#modelWithin(SMALL_REACH, SMALL_LIMIT);
+    return small && [large, small];
+  }
+
+  /** The model in a centred viewport, by corners up to `limit`; null if stopped. */
+  async #modelWithin(reach, limit) {
+    const {api, samples, seed} = this.#asked;
     this.#post({type: "again"});
     const engine = await Engine.create();
     const profile = {
-      specification: PROFILES[api], name: "small", coordinate_limit: SMALL_LIMIT,
+      specification: PROFILES[api], name: "within", coordinate_limit: limit,
       sample_locations: `standard-${samples}`,
     };
     engine.open({subject: this.#subject(), profile, seed, properties: [], infer: true});
-    this.#reach = SMALL_REACH;
+    this.#reach = reach;
     try {
       for (let round = engine.next(); round.length > 0; round = engine.next()) {
         const answers = await this.#answers(round);
@@ -198,8 +208,8 @@ class Session {
     } finally {
       this.#reach = undefined;
     }
-    const [again] = engine.result().subjects;
-    return [...models, {side: 2 * SMALL_REACH, model: again.model, text: again.model_text}];
+    const [{model, model_text: text}] = engine.result().subjects;
+    return {side: 2 * reach, model, text};
   }
 
   /** Of what fails first; null if there is none. Whatever goes wrong with it, the verdict stays. */

@@ -2,8 +2,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fmt/format.h"
@@ -27,31 +29,69 @@ double Along(double value, double low, double high) {
   return at / std::log(high / low);
 }
 
+struct LabelBox {
+  double x;
+  double y;
+  double width;
+};
+
+// The row beside (x, y), or the nearest above or below it, where the label covers no other.
+double FreeRow(double x, double y, double width, std::vector<LabelBox>& taken) {
+  constexpr double kHeight = 11;
+  for (int n = 0;; ++n) {
+    const double row = y + kHeight * (n % 2 == 0 ? n / 2 : -(n + 1) / 2);
+    const auto covers = [&](const LabelBox& box) {
+      return std::abs(row - box.y) < kHeight && x < box.x + box.width && box.x < x + width;
+    };
+    if (std::ranges::any_of(taken, covers)) continue;
+    taken.push_back({x, row, width});
+    return row;
+  }
+}
+
 std::string ValuePlotOf(const std::vector<const ValueBenchRow*>& rows) {
+  std::vector<const ValueBenchRow*> shown;
+  std::ranges::copy_if(rows, std::back_inserter(shown), [](const ValueBenchRow* row) {
+    return row->shows == "value" && row->ns > 0;
+  });
+  if (shown.empty()) return {};
   constexpr double kLeastUlps = 0.25;
   double most_ulps = 1;
   double least_ns = std::numeric_limits<double>::infinity();
   double most_ns = 0;
-  for (const ValueBenchRow* row : rows) {
-    if (row->shows != "value" || !(row->ns > 0)) continue;
+  for (const ValueBenchRow* row : shown) {
     if (std::isfinite(row->ulps)) most_ulps = std::max(most_ulps, row->ulps);
     least_ns = std::min(least_ns, row->ns);
     most_ns = std::max(most_ns, row->ns);
   }
-  if (most_ns == 0) return {};
   most_ns = std::max(most_ns, 2 * least_ns);
   std::string svg = fmt::format(
       "<svg class=\"bench\" viewBox=\"0 0 {} {}\" role=\"img\" aria-label=\"Largest error in ulps "
       "over nanoseconds a pixel\">",
       kValuesAcross + 4 * kValuesEdge, kValuesDown + kValuesEdge);
-  for (const ValueBenchRow* row : rows) {
-    if (row->shows != "value" || !(row->ns > 0)) continue;
-    const double x = kValuesEdge + kValuesAcross * Along(row->ns, least_ns, most_ns);
-    const double y = kValuesDown - (kValuesDown - 16) * Along(row->ulps, kLeastUlps, 2 * most_ulps);
+  constexpr double kCharacter = 6.2;
+  const auto place = [&](const ValueBenchRow& row) {
+    return std::pair{kValuesEdge + kValuesAcross * Along(row.ns, least_ns, most_ns),
+                     kValuesDown - (kValuesDown - 16) * Along(row.ulps, kLeastUlps, 2 * most_ulps)};
+  };
+  std::vector<LabelBox> labels;
+  for (const ValueBenchRow* row : shown) {
+    const auto [x, y] = place(*row);
+    labels.push_back({x - 4, y + 3, 8});  // the point itself
+  }
+  for (const ValueBenchRow* row : shown) {
+    const auto [x, y] = place(*row);
+    const double width = kCharacter * static_cast<double>(row->method.size());
+    const double label = FreeRow(x + 6, y + 3, width, labels);
+    if (label != y + 3) {
+      svg += fmt::format(
+          "<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"currentColor\" opacity=\".4\"/>", x, y,
+          x + 6, label - 3);
+    }
     svg += fmt::format(
         "<circle cx=\"{0:.1f}\" cy=\"{1:.1f}\" r=\"4\"><title>{2}: {3:.3f} ns, {4:.3g} "
         "ulps</title></circle><text x=\"{5:.1f}\" y=\"{6:.1f}\" font-size=\"10\">{2}</text>",
-        x, y, Escaped(row->method), row->ns, row->ulps, x + 6, y + 3);
+        x, y, Escaped(row->method), row->ns, row->ulps, x + 6, label);
   }
   return svg + fmt::format(
                    "<text x=\"{}\" y=\"{}\" font-size=\"11\">{:.3g} to {:.3g} ns a covered pixel "

@@ -105,7 +105,7 @@ std::string CompareTriangle(const Scene& scene, const Triangle& t,
 }
 
 TEST(ValueDomains, TheOracleEqualsPlanesByElimination) {
-  const std::uint64_t wanted = RunsMore() ? 1'000'000 : Cases<std::uint64_t>(20'000);
+  const std::uint64_t wanted = RunsMore() ? 1'200'000 : Cases<std::uint64_t>(20'000);
   const std::vector<SubjectInfo> subjects = SubjectsOfAllKinds();
   const std::uint64_t share = wanted / Domains().size() + 1;
   Compared all;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -196,6 +197,26 @@ TEST(BenchPage, HoldsTheRecordAndNamesEndNoScript) {
   const std::string html = BenchSections(bench, "out");
   EXPECT_TRUE(Says(html, "id=\"bench-data\">" + BenchToJson(bench) + "</script>"));
   EXPECT_FALSE(Says(html, "</script><b>"));
+}
+
+TEST(BenchPage, LabelsOfValuesCoverNoOther) {
+  BenchResult bench;
+  bench.value_families.emplace_back();
+  for (const char* method : {"one", "two", "three"}) {
+    ValueBenchRow& row = bench.value_rows.emplace_back();
+    row.method = method;
+    row.shows = "value";
+    row.ns = 1;
+    row.ulps = 4;
+  }
+  const std::string html = ValueParts(bench);
+  std::set<std::string> rows;
+  for (std::size_t at = html.find("<text x"); at != std::string::npos;
+       at = html.find("<text x", at + 1)) {
+    const std::size_t y = html.find(" y=", at);
+    rows.insert(html.substr(y, html.find(' ', y + 1) - y));
+  }
+  EXPECT_EQ(rows.size(), 4U) << html;  // three labels, and what the axes are
 }
 
 TEST(BenchPage, SaysWhyAUsersSubjectIsLeftOut) {

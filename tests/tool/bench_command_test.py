@@ -245,7 +245,7 @@ class Bench(unittest.TestCase):
     def test_growth_is_measured_recorded_and_added_to_an_earlier_record(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "growth.json")
-            more = ("--growth", "--budget", "1ms", "--json", path)
+            more = ("--growth", "--budget", "1s", "--json", path)
             done = bench(*more)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertIn("costs over triangles from", done.stdout)

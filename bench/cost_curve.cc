@@ -44,12 +44,14 @@ Scene Scattered(double side, std::uint64_t distinct, std::uint64_t count, int ta
     const double at = free * static_cast<double>(random() >> 11) * 0x1p-53;
     return std::floor(at * 256 + 37) / 256;
   };
+  // On 1/256 pixel, so that a float32 holds each coordinate on any target.
   const double leg = std::floor(side * 256) / 256;
+  const double rise = std::floor(leg * 32) / 256;
   for (std::uint64_t k = 0; k < distinct; ++k) {
     const double x = place();
     const double y = place();
     const auto first = static_cast<std::int32_t>(scene.vertices.size());
-    scene.vertices.insert(scene.vertices.end(), {{x, y}, {x, y + leg}, {x + leg, y + leg / 8}});
+    scene.vertices.insert(scene.vertices.end(), {{x, y}, {x, y + leg}, {x + leg, y + rise}});
     scene.triangles.push_back({first, first + 1, first + 2});
   }
   scene.triangles.reserve(count);

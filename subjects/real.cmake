@@ -230,31 +230,6 @@ else()
   rasterproof_missing_subject(opencv libopencv-imgproc-dev)
 endif()
 
-# A culler of which there is no package: scripts/bench_others fetches its source.
-set(RASTERPROOF_CULLER "" CACHE PATH "A checkout of MaskedOcclusionCulling, to be compared with")
-if(RASTERPROOF_CULLER)
-  add_library(culler STATIC EXCLUDE_FROM_ALL
-    ${RASTERPROOF_CULLER}/MaskedOcclusionCulling.cpp
-    ${RASTERPROOF_CULLER}/MaskedOcclusionCullingAVX2.cpp
-    ${RASTERPROOF_CULLER}/MaskedOcclusionCullingAVX512.cpp)
-  target_include_directories(culler SYSTEM PUBLIC ${RASTERPROOF_CULLER})
-  set_target_properties(culler PROPERTIES
-    CXX_STANDARD 11 UNITY_BUILD OFF DISABLE_PRECOMPILE_HEADERS ON POSITION_INDEPENDENT_CODE ON)
-  # As its own CMakeLists.txt has them.
-  target_compile_options(culler PRIVATE -w -O3 -msse4.1
-    -include ${PROJECT_SOURCE_DIR}/subjects/culler/prefix.h)
-  set_source_files_properties(${RASTERPROOF_CULLER}/MaskedOcclusionCullingAVX2.cpp
-    PROPERTIES COMPILE_OPTIONS "-mavx2;-mfma")
-  set_source_files_properties(${RASTERPROOF_CULLER}/MaskedOcclusionCullingAVX512.cpp
-    PROPERTIES COMPILE_OPTIONS "-DUSE_AVX512=1;-mavx512f;-mavx512bw;-mavx512dq;-mavx2;-mfma")
-  foreach(set AVX2 AVX512)
-    string(TOLOWER culler-${set} name)
-    rasterproof_real_subject(${name}
-      SOURCES subjects/culler/culler.cc LINK culler
-      DEFINITIONS RASTERPROOF_CULLER_NAME="${name}" RASTERPROOF_CULLER_SET=${set})
-  endforeach()
-endif()
-
 # Programs on pipes, described rather than built.
 find_program(NODE node)
 find_program(NPM npm)

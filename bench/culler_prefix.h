@@ -1,6 +1,6 @@
 // Included before MaskedOcclusionCulling's sources, which define what GCC 12's headers have by now.
-#ifndef RASTERPROOF_SUBJECTS_CULLER_PREFIX_H_
-#define RASTERPROOF_SUBJECTS_CULLER_PREFIX_H_
+#ifndef RASTERPROOF_BENCH_CULLER_PREFIX_H_
+#define RASTERPROOF_BENCH_CULLER_PREFIX_H_
 
 #include <cpuid.h>
 #include <immintrin.h>
@@ -8,4 +8,4 @@
 #define __cpuidex culler_cpuidex
 #define _xgetbv culler_xgetbv
 
-#endif  // RASTERPROOF_SUBJECTS_CULLER_PREFIX_H_
+#endif  // RASTERPROOF_BENCH_CULLER_PREFIX_H_

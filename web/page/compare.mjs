@@ -100,7 +100,11 @@ function standing(which, certificate) {
   const {outcome, reason} = certificate;
   const name = `${which} (${nameOf(certificate)})`;
   if (outcome === "holds") return `${name} is legal, as far as it was asked.`;
-  if (outcome !== "violated") return `${name} was not judged${reason ? `: ${reason}` : ""}.`;
+  if (outcome !== "violated") {
+    const what = certificate.result && reason ? "breaks nothing that it was asked, and yet" :
+                                                "was not judged";
+    return `${name} ${what}${reason ? `: ${reason}` : ""}.`;
+  }
   const broken = subjectOf(certificate).failures.filter(({fails}) => fails)
       .map(({property}) => property);
   return `${name} is not legal: it breaks ${broken.join(", ")}.`;

@@ -231,7 +231,7 @@ function showResult({result, models, picture}) {
 /* What comes first in the table; what is not named here goes before the last. */
 const ORDER = ["violated", "inconclusive", "quality", "refused", "holds", "not exercised"];
 
-function sentence(outcome, result) {
+function sentence(outcome, reason, result) {
   const {properties = []} = result?.subjects[0] ?? {};
   const asked = properties.filter(({cases}) => cases > 0).length;
   const failing = properties.filter(({fails}) => fails).length;
@@ -241,7 +241,9 @@ function sentence(outcome, result) {
         `${counted(asked, "property", "properties")}, no failure.`,
     violated: `This device breaks what its specification says: ${of} failed. The first is ` +
         "pictured below.",
-    inconclusive: "This device was not judged.",
+    inconclusive: result && reason ?
+        `No property failed, and yet nothing is said to hold: ${reason}.` :
+        "This device was not judged.",
   }[outcome];
 }
 
@@ -249,7 +251,7 @@ function showDone(message) {
   const {outcome, reason, result, losses, pauses, draws, milliseconds} = message;
   run.done = message;
   keep(null);
-  byId("verdict").replaceChildren(chip(outcome), ` ${sentence(outcome, result)}`);
+  byId("verdict").replaceChildren(chip(outcome), ` ${sentence(outcome, reason, result)}`);
   byId("meanings").open = false;
   if (result) showResult(message);
   show("run", {"run-facts": facts([

@@ -113,6 +113,8 @@ class Passport(unittest.TestCase):
             self.assertEqual(certificate["result"]["status"], 0)
             self.assertRegex(certificate["reason"], r"^\d+ triangles of long calls were lost")
             self.assertIn("triangles of long calls were lost", self.page.text("status"))
+            self.assertIn("No property failed, and yet nothing is said to hold",
+                          self.page.text("verdict"))  # fmt: skip
 
     def test_a_reproducer_draws_its_case_alone(self):
         for api in ("webgpu", "webgl2"):

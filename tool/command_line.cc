@@ -210,10 +210,6 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_flag("--values", options.values,
                  "Only measure how interpolated values err, and what they cost")
       ->excludes(limits);
-  verb->add_flag("--growth", options.growth,
-                 "Only measure times over 10^2 to 10^7 triangles, the target's side and threads")
-      ->excludes(limits)
-      ->excludes("--values");
   verb->add_option_function<std::string>(
           "--budget",
           [](const std::string& text) { options.budget = ParseSeconds("--budget", text); },
@@ -223,8 +219,14 @@ void AddBench(CLI::App& app, Run& run, const std::string& typed) {
   verb->add_option(
       "--against", options.against,
       "File of an earlier --json: report changes since; status 1 if anything got worse");
-  verb->add_option("--from", options.from,
-                   "File of an earlier --json: report it, or add --values or --growth to it");
+  verb->add_option(
+      "--from", options.from,
+      "File of an earlier --json: report it instead of measuring, or add --values to it");
+  verb->add_flag("--growth", options.growth,
+                 "Only measure times over 10^2 to 10^7 triangles, the target's side and threads")
+      ->excludes(limits)
+      ->excludes("--values")
+      ->excludes("--from");
   verb->add_option("--json", options.json, "Result as JSON, raw times included");
   verb->add_option("--svg", options.svg, "Plot of error against run time, one panel per family");
   CLI::Option* fingerprint =

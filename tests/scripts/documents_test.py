@@ -3,6 +3,7 @@ the figures that it quotes."""
 
 import importlib.machinery
 import importlib.util
+import json
 import pathlib
 import re
 import subprocess
@@ -94,6 +95,15 @@ class BenchTablesTest(unittest.TestCase):
             "| `m` | avx2 | 1.00 (`b`) | 2.00 (`a`) | 2.0e+09 (`b`) | 0.250 |", "",
             "today, one."])  # fmt: skip
         self.assertIn("Not to be quoted", self.script.values({**result, "load_before": 1})[-1])
+
+    def test_a_record_whose_load_is_that_of_another_run_is_not_quoted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder, "bench.json")
+            path.write_text(json.dumps({**self.result, "command": "rasterproof bench"}))
+            done = subprocess.run([ROOT / "scripts/bench_tables", "--growth", path],
+                                  capture_output=True, text=True)  # fmt: skip
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("give a record of `bench --growth` alone", done.stderr)
 
     def test_a_claim_by_hand_is_found(self):
         check = load("check_claims")

@@ -399,15 +399,11 @@ int FingerprintsAlone(const BenchOptions& options) {
   return kExitHolds;
 }
 
-// How times grow, alone, added to the record that the options name.
+// How times grow, alone.
 int Growth(const BenchOptions& options) {
   BenchResult result;
-  if (options.from.empty()) {
-    result.setting = SettingOf(options);
-    result.setting.load_before = LoadOfMachine();
-  } else {
-    result = report::ReadBench(options.from);
-  }
+  result.setting = SettingOf(options);
+  result.setting.load_before = LoadOfMachine();
   {
     Progress progress;
     bench::CurveOptions curves;
@@ -416,20 +412,11 @@ int Growth(const BenchOptions& options) {
     curves.most_triangles = 10'000'000;
     curves.end = WallSeconds() + options.budget;
     curves.progress = [&](const std::string& stage) { progress.Stage(stage); };
-    std::erase_if(result.curves, [&](const BenchCurve& curve) {
-      const std::string& name = result.parameters[curve.parameter].name;
-      return std::ranges::find(curves.parameters, name) != curves.parameters.end();
-    });
-    std::erase_if(result.not_measured, [&](const std::string& what) {
-      return std::ranges::any_of(curves.parameters, [&](const std::string& name) {
-        return what.starts_with("costs over " + name);
-      });
-    });
     const auto contenders =
         bench::OwnContenders(bench::ContenderChoice::kQuick, TargetOf(options.target));
     bench::RunCostCurves(contenders, curves, result);
   }
-  if (options.from.empty()) result.setting.load_after = LoadOfMachine();
+  result.setting.load_after = LoadOfMachine();
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
   io::WriteStandardOutput(report::CostsToTable(result));
   return kExitHolds;

@@ -21,6 +21,7 @@
 #include "bench/surface_contender.h"
 #include "core/clock.h"
 #include "core/profile.h"
+#include "library/arguments.h"
 #include "library/kernels/kernel.h"
 #include "library/rasterize.h"
 
@@ -193,12 +194,6 @@ constexpr std::array<std::pair<library::kernels::Sink, RasterOutput>, 5> kOutput
     {library::kernels::Sink::kDepth, RasterOutput::kDepths},
 }};
 
-// Of a row without room at its end: rows of masks 4096 bytes apart would share a cache's lines.
-std::size_t RowBytes(RasterOutput output, std::size_t width) {
-  if (output == RasterOutput::kMask) return width / 8;
-  return output == RasterOutput::kCounts ? width : width * sizeof(std::uint32_t);
-}
-
 // Memory for any output, with room after the last row.
 RasterTarget TargetOf(RasterOutput output, const Scene& scene, std::vector<std::uint32_t>& memory) {
   constexpr std::size_t kRoom = 1024;
@@ -206,8 +201,9 @@ RasterTarget TargetOf(RasterOutput output, const Scene& scene, std::vector<std::
   const std::size_t words = width * static_cast<std::size_t>(scene.height) + kRoom;
   memory.resize(2 * words);
   const auto all = std::as_writable_bytes(std::span(memory));
-  RasterTarget target{
-      output, scene.width, scene.height, RowBytes(output, width), all.first(all.size() / 2), {}};
+  RasterTarget target{output, scene.width, scene.height, 0, all.first(all.size() / 2), {}};
+  // Rows of masks that lay 4096 bytes apart would share a few lines of the cache.
+  target.pitch = library::RowBytes(target);
   if (output == RasterOutput::kFacingCounts) target.back = all.last(all.size() / 2);
   return target;
 }

@@ -96,6 +96,27 @@ class BenchTablesTest(unittest.TestCase):
             "today, one."])  # fmt: skip
         self.assertIn("Not to be quoted", self.script.values({**result, "load_before": 1})[-1])
 
+    def test_a_plugin_stands_beside_the_exact_kernel_of_its_own_sink(self):
+        def row(method, target, sink, seconds):
+            return {"family": "a", "method": method, "target": target, "sink": sink,
+                    "seconds": [seconds, 2 * seconds, 3 * seconds], "boundary_pairs": 9,
+                    "real": {"beside_edges": 4}}  # fmt: skip
+
+        methods = [{"name": "y.so", "users": True, "target": "its own"},
+                   {"name": "kernel-exact", "users": False, "target": "avx2"}]  # fmt: skip
+        result = {**self.result, "command": "bench --json x", "date": "today", "compiler": "c",
+                  "processor": "one", "methods": methods,
+                  "families": [{"name": "a", "triangles": 1000, "rounds": 6}],
+                  "left_out": [{"family": "b", "method": "y.so"}],
+                  "rows": [row("kernel-exact", "avx2", "mask", 1e-6),
+                           row("kernel-exact", "scalar", "facing", 9e-6),
+                           row("kernel-exact", "avx2", "facing", 2e-6),
+                           row("y.so", "its own", "facing", 8e-6)]}  # fmt: skip
+        lines = self.script.others(result)
+        self.assertEqual(lines[2:5], [
+            "| `a` | `y` | facing | 16.0 (8.0 to 24.0) | 4.0 (2.0 to 6.0) | 4.0 | 4 of 9 |", "",
+            "Left out, because a draw is too long: b: y."])  # fmt: skip
+
     def test_a_record_whose_load_is_that_of_another_run_is_not_quoted(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder, "bench.json")

@@ -250,11 +250,8 @@ function(rasterproof_test name)
       math(EXPR shard "${shard} + 1")
     endif()
     # Those that take longest begin first, or one core waits for the other at the end.
-    # It draws into targets of 2^24 samples again and again: keeping their memory is three times
-    # as fast as getting it anew from the system.
     if(name STREQUAL mutants_test)
-      set_tests_properties(${test} PROPERTIES COST 100 ENVIRONMENT
-        "GLIBC_TUNABLES=glibc.malloc.mmap_max=0:glibc.malloc.trim_threshold=4294967296")
+      set_tests_properties(${test} PROPERTIES COST 100)
     elseif(name MATCHES "^(props|bench)_test$")
       set_tests_properties(${test} PROPERTIES COST 50)
     endif()

@@ -208,6 +208,17 @@ function(rasterproof_unsanitized)
   endif()
 endfunction()
 
+# rasterproof_large_pages(PROGRAM): its large blocks of memory come in large pages. Sanitizers have
+# an allocator of their own.
+add_library(rasterproof_memory OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tool/large_pages.cc)
+target_link_libraries(rasterproof_memory PRIVATE rasterproof_flags)
+set_target_properties(rasterproof_memory PROPERTIES POSITION_INDEPENDENT_CODE ON)
+function(rasterproof_large_pages program)
+  if(NOT RASTERPROOF_SANITIZE)
+    target_sources(${program} PRIVATE $<TARGET_OBJECTS:rasterproof_memory>)
+  endif()
+endfunction()
+
 # A test that takes so long hangs: no limit of a test is one that a loaded machine reaches.
 set(hang_seconds 3600)
 
@@ -220,6 +231,7 @@ function(rasterproof_test name)
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name}
     PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
+  rasterproof_large_pages(${name})
   rasterproof_lump(${name} 10)
   target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_test)
   target_compile_options(${name} PRIVATE ${test_optimisation})

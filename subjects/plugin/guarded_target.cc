@@ -14,7 +14,6 @@ namespace {
 constexpr std::uint32_t kGuard = 0x5a5a5a5a;
 constexpr std::size_t kGuardColumns = 16;
 constexpr std::size_t kGuardRows = 4;
-constexpr std::size_t kLarge = std::size_t{1} << 22;
 
 std::size_t PageBytes() { return static_cast<std::size_t>(sysconf(_SC_PAGESIZE)); }
 
@@ -26,8 +25,8 @@ std::byte* Mapped(std::size_t open_bytes) {
   if (mapped == MAP_FAILED) throw std::bad_alloc();
   std::byte* const open = static_cast<std::byte*>(mapped) + page;
   if (mprotect(open, open_bytes, PROT_READ | PROT_WRITE) != 0) throw std::bad_alloc();
-  // In large pages where the system gives them on request; else it is only slower.
-  if (open_bytes >= kLarge) madvise(open, open_bytes, MADV_HUGEPAGE);
+  // In large pages, as what operator new gives: tool/large_pages.cc.
+  madvise(open, open_bytes, MADV_HUGEPAGE);
   return open;
 }
 

@@ -1,5 +1,8 @@
 // Answers as bytes: counts and ids in runs of equal ones, because most samples are like the one
-// before.
+// before; numbers of covered samples alone, as floats if they are.
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -17,6 +20,51 @@
 
 namespace rasterproof::props {
 namespace {
+
+// Of longer lists all numbers are written: damaged bytes can't ask for more memory than that.
+constexpr std::size_t kMostLeftOut = std::size_t{4} * kMaxTargetSamples;
+
+// Calls `each` with the places of the numbers, equally many a sample, of samples that show a
+// triangle; of all samples if nothing says which do.
+template <class Each>
+void ForEachShown(std::size_t count, const std::vector<std::int32_t>& ids, const Each& each) {
+  const std::size_t of_each = ids.empty() ? 0 : count / ids.size();
+  if (of_each == 0 || count % ids.size() != 0 || count > kMostLeftOut) {
+    for (std::size_t k = 0; k < count; ++k) each(k);
+    return;
+  }
+  for (std::size_t s = 0; s < ids.size(); ++s) {
+    if (ids[s] == kNoPrimitive) continue;
+    for (std::size_t k = s * of_each; k < (s + 1) * of_each; ++k) each(k);
+  }
+}
+
+// The same numbers, bit for bit; none if they are not floats.
+std::vector<float> FloatsOf(const std::vector<double>& numbers) {
+  std::vector<float> floats;
+  for (const double number : numbers) {
+    const auto as_float = static_cast<float>(number);
+    if (std::bit_cast<std::uint64_t>(double{as_float}) != std::bit_cast<std::uint64_t>(number))
+      return {};
+    floats.push_back(as_float);
+  }
+  return floats;
+}
+
+// Arrays as their numbers, and back.
+template <std::size_t N>
+std::vector<double> Flat(const std::vector<std::array<double, N>>& arrays) {
+  std::vector<double> numbers;
+  for (const std::array<double, N>& array : arrays)
+    numbers.insert(numbers.end(), array.begin(), array.end());
+  return numbers;
+}
+template <std::size_t N>
+std::vector<std::array<double, N>> InArrays(const std::vector<double>& numbers) {
+  std::vector<std::array<double, N>> arrays(numbers.size() / N);
+  for (std::size_t k = 0; k < N * arrays.size(); ++k) arrays[k / N][k % N] = numbers[k];
+  return arrays;
+}
 
 class OutcomeWriter {
  public:
@@ -39,16 +87,23 @@ class OutcomeWriter {
       k = end;
     }
   }
-  template <class T>
-  void Raw(const std::vector<T>& values) {
-    Number(values.size());
-    if (!values.empty()) {
-      bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
-    }
+  void Numbers(const std::vector<double>& numbers, const std::vector<std::int32_t>& ids) {
+    Number(numbers.size());
+    if (numbers.empty()) return;
+    std::vector<double> shown;
+    ForEachShown(numbers.size(), ids, [&](std::size_t k) { shown.push_back(numbers[k]); });
+    const std::vector<float> floats = FloatsOf(shown);
+    Number(floats.size());
+    floats.empty() ? Add(shown) : Add(floats);
   }
   std::string Take() { return std::move(bytes_); }
 
  private:
+  template <class T>
+  void Add(const std::vector<T>& values) {
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  }
+
   std::string bytes_;
 };
 
@@ -88,16 +143,32 @@ class OutcomeReader {
       if (is_good_) values.insert(values.end(), run, value);
     }
   }
-  template <class T>
-  void Raw(std::vector<T>& values) {
-    const std::size_t size = Number(bytes_.size());
-    const std::string_view raw = Bytes(size, sizeof(T));
-    if (raw.empty()) return;
-    values.resize(size);
-    std::memcpy(values.data(), raw.data(), raw.size());
+  std::vector<double> Numbers(const std::vector<std::int32_t>& ids) {
+    const std::size_t size = Number(SIZE_MAX);
+    if (size > std::max(kMostLeftOut, bytes_.size())) is_good_ = false;
+    if (!is_good_ || size == 0) return {};
+    std::size_t count = 0;
+    ForEachShown(size, ids, [&](std::size_t /*k*/) { ++count; });
+    const std::size_t floats = Number(count);
+    if (floats != 0 && floats != count) is_good_ = false;
+    std::vector<double> numbers(is_good_ ? size : 0);
+    floats != 0 ? Into<float>(numbers, count, ids) : Into<double>(numbers, count, ids);
+    return numbers;
   }
 
  private:
+  template <class T>
+  void Into(std::vector<double>& numbers, std::size_t count, const std::vector<std::int32_t>& ids) {
+    const std::string_view raw = Bytes(count, sizeof(T));
+    const char* next = raw.data();
+    if (raw.empty()) return;
+    ForEachShown(numbers.size(), ids, [&](std::size_t k) {
+      T number{};
+      std::memcpy(&number, next, sizeof(T));
+      numbers[k] = double{number};
+      next += sizeof(T);
+    });
+  }
   std::string_view Bytes(std::size_t count, std::size_t of_each) {
     if (!is_good_ || count > bytes_.size() / of_each) {
       is_good_ = false;
@@ -148,11 +219,12 @@ std::string OutcomeBytes(const DrawOutcome& outcome) {
   out.Runs(drawing.counts.front);
   out.Runs(drawing.counts.back);
   out.Runs(drawing.primitive_ids);
-  out.Raw(drawing.barycentrics);
-  out.Raw(drawing.depths);
-  out.Raw(drawing.centroids);
-  out.Raw(drawing.values);
-  out.Raw(drawing.derivatives);
+  const std::vector<std::int32_t>& ids = drawing.primitive_ids;
+  out.Numbers(Flat(drawing.barycentrics), ids);
+  out.Numbers(drawing.depths, ids);
+  out.Numbers(Flat(drawing.centroids), ids);
+  out.Numbers(drawing.values, ids);
+  out.Numbers(Flat(drawing.derivatives), ids);
   return out.Take();
 }
 
@@ -168,11 +240,12 @@ std::optional<DrawOutcome> ReadOutcome(std::string_view bytes) {
   in.Runs(drawing.counts.front, std::size_t{kMaxTargetSamples});
   in.Runs(drawing.counts.back, std::size_t{kMaxTargetSamples});
   in.Runs(drawing.primitive_ids, std::size_t{kMaxTargetSamples});
-  in.Raw(drawing.barycentrics);
-  in.Raw(drawing.depths);
-  in.Raw(drawing.centroids);
-  in.Raw(drawing.values);
-  in.Raw(drawing.derivatives);
+  const std::vector<std::int32_t>& ids = drawing.primitive_ids;
+  drawing.barycentrics = InArrays<3>(in.Numbers(ids));
+  drawing.depths = in.Numbers(ids);
+  drawing.centroids = InArrays<3>(in.Numbers(ids));
+  drawing.values = in.Numbers(ids);
+  drawing.derivatives = InArrays<2>(in.Numbers(ids));
   const bool is_one = in.IsAtEnd() && HasItsShape(drawing);
   return is_one ? std::optional(std::move(outcome)) : std::nullopt;
 }

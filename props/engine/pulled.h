@@ -155,6 +155,7 @@ class PulledEngine {
   /// Sums those of the works.
   PulledProgress progress() const;
   KnownAnswers& answers() { return answers_; }
+  const KnownAnswers& answers() const { return answers_; }
 
   /// Returns the answers so far. An engine with the same works that loads them goes on from there.
   std::string save() const { return answers_.Save(); }

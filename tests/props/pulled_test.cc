@@ -7,6 +7,8 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -224,6 +226,40 @@ TEST(PulledEngine, KeepsValuesOfEachChannelAndSample) {
   EXPECT_FALSE(read());
   drawing.values.assign(65 * 24, 0);
   EXPECT_FALSE(read());
+}
+
+TEST(PulledEngine, KeepsNumbersWhereATriangleIsShownAsShortAsTheyAre) {
+  DrawOutcome outcome;
+  Drawing& drawing = outcome.drawing;
+  drawing.counts = CoverageCounts(40, 30, 1);
+  drawing.primitive_ids.assign(1200, kNoPrimitive);
+  drawing.primitive_ids[7] = drawing.primitive_ids[1199] = 0;
+  drawing.values.assign(2 * 1200, 0.1);
+  for (const std::size_t k : {14U, 15U, 2398U}) drawing.values[k] = 0x1.8p-140;
+  drawing.values[2399] = std::numeric_limits<double>::quiet_NaN();
+  const auto read = [&] { return ReadOutcome(OutcomeBytes(outcome))->drawing.values; };
+  std::vector<double> shown(2 * 1200);
+  const auto expect_kept = [&] {
+    for (const std::size_t k : {14U, 15U, 2398U, 2399U}) shown[k] = drawing.values[k];
+    const std::vector<double> kept = read();
+    ASSERT_EQ(kept.size(), shown.size());
+    EXPECT_EQ(std::memcmp(kept.data(), shown.data(), sizeof(double) * shown.size()), 0);
+  };
+  expect_kept();
+  const std::size_t of_floats = OutcomeBytes(outcome).size();
+  EXPECT_LT(of_floats, 64U);
+  drawing.values[15] = 0.1;  // no float
+  expect_kept();
+  EXPECT_EQ(OutcomeBytes(outcome).size(), of_floats + 4 * sizeof(float));
+  // No more memory than the bytes are worth.
+  std::string damaged = OutcomeBytes(outcome);
+  for (std::size_t k = 0; k + 1 < damaged.size(); ++k) {
+    if (damaged.compare(k, 2, "\xe0\x12") != 0) continue;  // 2400
+    damaged.replace(k, 2, "\xff\xff\xff\xff\xff\x7f");
+    EXPECT_FALSE(ReadOutcome(damaged));
+    return;
+  }
+  FAIL() << "no number of values";
 }
 
 TEST(PulledEngine, TellsJobsApartByTheChannelsThatTheyWant) {

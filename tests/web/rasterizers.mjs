@@ -1,5 +1,5 @@
 // Rasterizers in JavaScript, right and wrong ones, and two methods of the module.
-// Each: { profile, takes, causes, make }, where make() gives draw(request).
+// Each: { profile, takes, coverage, shows, causes, make }, where make() gives draw(request).
 
 import { Engine } from "../../web/npm/index.mjs";
 
@@ -80,6 +80,64 @@ async function byMethod(method) {
   };
 }
 
+const cross = (a, b) => a[0] * b[1] - b[0] * a[1];
+const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+
+// Fragments with the values of channels and their derivatives, in double. weigh(e, w): of the edge
+// values and the corners' w what adds up to a value in perspective.
+const shaded = (weigh) => (request) => {
+  const { width, height, triangles, channels } = request;
+  const size = width * height;
+  const shown = {
+    ids: new Int32Array(size).fill(-1),
+    barycentrics: new Float64Array(3 * size),
+    depths: new Float64Array(size),
+    values: new Float64Array(size * channels.length),
+    derivatives: new Float64Array(2 * size * channels.length),
+  };
+  for (let t = 0; t < triangles.length; t += 3) {
+    const v = corners(request, t);
+    const w = v.map((corner) => corner[3]);
+    for (let k = 0; k < size; ++k) {
+      const [x, y] = [(k % width) + 0.5, Math.floor(k / width) + 0.5];
+      const d = v.map((corner) => [corner[0] - x * corner[3], corner[1] - y * corner[3]]);
+      const e = [0, 1, 2].map((i) => cross(d[(i + 1) % 3], d[(i + 2) % 3]));
+      const area = dot(e, w);
+      if (area === 0 || e.some((one) => Math.sign(area) * one < 0)) continue;
+      const weights = weigh(e, w);
+      const sum = weights[0] + weights[1] + weights[2];
+      const [along, down] = [1, 0].map((axis) =>
+        [0, 1, 2].map((i) => {
+          const [b, c] = [(i + 1) % 3, (i + 2) % 3];
+          return (axis === 1 ? 1 : -1) * (w[c] * d[b][axis] - w[b] * d[c][axis]);
+        }),
+      );
+      shown.ids[k] = t / 3;
+      shown.barycentrics.set(weights.map((one) => one / sum), 3 * k);
+      shown.depths[k] = dot(e, v.map((corner) => corner[2])) / area;
+      channels.forEach(({ values }, c) => {
+        const a = [0, 1, 2].map((i) => values[triangles[t + i]]);
+        const value = dot(weights, a) / sum;
+        const apart = a.map((one) => one - value);
+        shown.values[k * channels.length + c] = value;
+        shown.derivatives.set([dot(along, apart) / sum, dot(down, apart) / sum], 2 * (k * channels.length + c));
+      });
+    }
+  }
+  return shown;
+};
+const VALUES = {
+  name: "javascript",
+  contract: "none",
+  values: { weights: "perspective", derivatives: "analytic", error: { ulps: 1 }, derivative_error: { ulps: 1, conditions: 1 } },
+};
+const showsValues = {
+  profile: VALUES,
+  takes: ["window", "clip", "wants"],
+  coverage: "fragments",
+  shows: ["values", "derivatives"],
+};
+
 export const rasterizers = {
   right: { profile: "d3d11-canonical", takes: ["window"], make: () => snapped(8, topLeft) },
   "bottom-right": { profile: "vulkan", takes: ["window"], make: () => snapped(8, (x, y) => !topLeft(x, y)) },
@@ -87,5 +145,7 @@ export const rasterizers = {
   "half-bits": { profile: "d3d11", takes: ["window"], causes: true, make: () => snapped(4, topLeft) },
   open: { profile: "real", takes: ["window"], make: () => byPixels(open) },
   stepped: { profile: "real", takes: ["window"], make: () => byMethod("f32-incremental") },
+  perspective: { ...showsValues, make: () => shaded((e) => e) },
+  affine: { ...showsValues, make: () => shaded((e, w) => e.map((one, i) => one * w[i])) },
   homogeneous: { profile: "real", takes: ["clip"], causes: true, make: () => byMethod("hom-scaled-f32") },
 };

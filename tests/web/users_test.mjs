@@ -87,6 +87,28 @@ test("what was answered is saved, and another instance goes on from there", asyn
   assert.ok(first.memoryBytes <= 512 * 2 ** 20);
 });
 
+test("fragments hold what is wanted, or it is said what is missing", async () => {
+  const values = { flat: true, provoking: "first" };
+  const subject = { coverage: "fragments", shows: ["values"] };
+  const profile = { name: "flat", contract: "none", values };
+  const properties = ["FlatValuesComeFromTheProvokingVertex"];
+  const flat = (vertex) => (request) => {
+    const ids = Array.from(open(request), (count) => (count === 1 && request.triangles.length === 3 ? 0 : -1));
+    return {
+      ids,
+      values: ids.flatMap(() => request.channels.map((channel) => channel.values[request.triangles[vertex]])),
+    };
+  };
+  const judged = (draw) => check(draw, profile, { properties, subject, cases: 40 });
+  assert.equal((await judged(flat(0))).outcome, "holds");
+  const last = await judged(flat(2));
+  assert.equal(last.outcome, "violated");
+  assert.match(last.failures[0].message, /provoking/);
+  const missing = await judged((request) => ({ ids: flat(0)(request).ids }));
+  assert.match(missing.failures[0].message, /no values, and \d+ are wanted/);
+  await assert.rejects(check(flat(0), profile, { subject: { shows: ["values"] } }), /fragments/);
+});
+
 test("the oracle decides a tie by the profile's rule, and says what is open", async () => {
   const triangle = [[0, 0], [0, 4], [4, 4]];
   const at = (pixel, profile) => oracle.covers({ triangle, pixel, profile });

@@ -29,7 +29,9 @@ async function byCommand(name, rasterizer) {
   writeFileSync(
     file,
     `command ${process.execPath} ${program} ${name} ${wasm}\n` +
-      `takes ${rasterizer.takes.join(" ")}\nprofile ${rasterizer.profile}\n`,
+      `takes ${rasterizer.takes.join(" ")}\n` +
+      (rasterizer.coverage ? `coverage ${rasterizer.coverage}\nshows ${rasterizer.shows.join(" ")}\n` : "") +
+      `profile ${typeof rasterizer.profile === "string" ? rasterizer.profile : JSON.stringify(rasterizer.profile)}\n`,
   );
   const options = ["check", "--subject", file, "--cases", values.cases, ...(rasterizer.causes ? ["--cause-seconds", "1000"] : ["--no-cause"]), "--memory-limit", "0", "--json", "-"];
   for (const property of values.property ?? []) options.push("--property", property);
@@ -42,8 +44,9 @@ async function byCommand(name, rasterizer) {
 }
 
 function byModule(rasterizer, draw) {
-  const { profile, takes } = rasterizer;
-  const options = { cases: +values.cases, subject: { takes }, causes: rasterizer.causes ?? false };
+  const { profile, coverage, shows } = rasterizer;
+  const takes = rasterizer.takes.filter((word) => word !== "wants");
+  const options = { cases: +values.cases, subject: { takes, coverage, shows }, causes: rasterizer.causes ?? false };
   if (values.property) options.properties = values.property;
   return check(draw, profile, options);
 }

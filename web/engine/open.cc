@@ -18,11 +18,12 @@ namespace {
 
 using io::JsonValue;
 
-constexpr std::array<std::pair<CoverageKind, std::string_view>, 4> kCoverages{
+constexpr std::array<std::pair<CoverageKind, std::string_view>, 5> kCoverages{
     {{CoverageKind::kFacingCounts, "facing-counts"},
      {CoverageKind::kCounts, "counts"},
      {CoverageKind::kMask, "mask"},
-     {CoverageKind::kPrimitiveIds, "primitive-id"}}};
+     {CoverageKind::kPrimitiveIds, "primitive-id"},
+     {CoverageKind::kFragments, "fragments"}}};
 constexpr std::array<std::pair<Precision, std::string_view>, 2> kInputs{
     {{Precision::kFloat32, "float32"}, {Precision::kFloat64, "float64"}}};
 constexpr std::array<std::pair<Visible, std::string_view>, 2> kOrders{
@@ -32,9 +33,14 @@ constexpr std::array<std::pair<bool SubjectInfo::*, std::string_view>, 4> kTakes
      {&SubjectInfo::takes_clip, "clip"},
      {&SubjectInfo::takes_culling, "culling"},
      {&SubjectInfo::takes_scissor, "scissor"}}};
+constexpr std::array<std::pair<bool FragmentInfo::*, std::string_view>, 3> kShows{
+    {{&FragmentInfo::shows_centroids, "centroids"},
+     {&FragmentInfo::shows_values, "values"},
+     {&FragmentInfo::shows_derivatives, "derivatives"}}};
 
 void TakeSubject(const JsonValue& object, SubjectInfo& info) {
-  constexpr std::array<std::string_view, 5> kKeys{"name", "input", "coverage", "visible", "takes"};
+  constexpr std::array<std::string_view, 6> kKeys{"name",    "input", "coverage",
+                                                  "visible", "shows", "takes"};
   object.RequireObject(kKeys);
   io::ReadIfThere(object, "name", info.name,
                   [](const JsonValue& value) { return value.RequireName(); });
@@ -47,6 +53,12 @@ void TakeSubject(const JsonValue& object, SubjectInfo& info) {
   io::ReadIfThere(object, "visible", info.fragments.visible, [](const JsonValue& value) {
     return io::FromName(value, io::Names<Visible>(kOrders));
   });
+  if (const std::optional<JsonValue> shows = object.Find("shows")) {
+    for (const JsonValue word : shows->RequireArray())
+      info.fragments.*io::FromName(word, io::Names<bool FragmentInfo::*>(kShows)) = true;
+    if (info.coverage != CoverageKind::kFragments)
+      throw shows->Error("is of fragments", "give the coverage \"fragments\", or leave it out");
+  }
   const std::optional<JsonValue> takes = object.Find("takes");
   if (!takes) return;
   for (const auto& [member, name] : kTakes) info.*member = false;

@@ -24,7 +24,8 @@ struct Opened {
 };
 
 /// Reads an object with the keys `subject` ({name, input: "float32" | "float64", coverage, visible,
-/// takes: ["window", "clip", "culling", "scissor"]}), `profile`, `properties`, `seed`, `cases`,
+/// shows: ["centroids", "values", "derivatives"] of fragments, takes: ["window", "clip", "culling",
+/// "scissor"]}), `profile`, `properties`, `seed`, `cases`,
 /// `shrink`, the most evaluations of shrinking, `infer`, whether to find the model, and `causes`,
 /// whether to look for what explains the failures. All of them may be left out, as in a program's
 /// description: window space, float32, counts, profile real; every property, seed 1, 1000 cases, no

@@ -15,11 +15,49 @@ void Add(std::string& bytes, const void* from, std::size_t size) {
   bytes.append(static_cast<const char*>(from), size);
 }
 
-void AddJob(std::string& bytes, const DrawJob& job) {
+// What is wanted of fragments and shown, in the order in which it is answered.
+struct Wanted {
+  Wanted(const DrawJob& job, const SubjectInfo& info) {
+    if (info.coverage != CoverageKind::kFragments) return;
+    const FragmentInfo& shows = info.fragments;
+    wants = job.wants;
+    wants.centroids = wants.centroids && shows.shows_centroids;
+    channels = wants.values && shows.shows_values ? job.scene->channels.size() : 0;
+    wants.values = channels != 0;
+    wants.derivatives = wants.values && wants.derivatives && shows.shows_derivatives;
+  }
+
+  std::int32_t Bits() const {
+    const std::array<bool, 5> each{wants.barycentrics, wants.depths, wants.centroids, wants.values,
+                                   wants.derivatives};
+    std::int32_t bits = 0;
+    for (std::size_t k = 0; k < each.size(); ++k) bits += each[k] ? 1 << k : 0;
+    return bits;
+  }
+  // Doubles of a sample.
+  std::size_t Doubles() const {
+    const auto times = [](bool wanted, std::size_t count) { return wanted ? count : 0; };
+    return times(wants.barycentrics, 3) + times(wants.depths, 1) + times(wants.centroids, 3) +
+           channels + times(wants.derivatives, 2 * channels);
+  }
+
+  Outputs wants = kCoverageAlone;
+  std::size_t channels = 0;
+};
+
+void AddChannel(std::string& bytes, const Channel& channel) {
+  const std::array<std::int32_t, 2> how{static_cast<std::int32_t>(channel.interpolation),
+                                        static_cast<std::int32_t>(channel.at)};
+  Add(bytes, how.data(), sizeof(how));
+  Add(bytes, channel.values.data(), channel.values.size() * sizeof(double));
+}
+
+void AddJob(std::string& bytes, const DrawJob& job, const SubjectInfo& info) {
   const Scene& scene = *job.scene;
   const auto triangles = job.Triangles();
   const PixelRect scissor = job.options.scissor.value_or(PixelRect{});
-  const std::array<std::int32_t, 12> head{scene.width,
+  const Wanted wanted(job, info);
+  const std::array<std::int32_t, 14> head{scene.width,
                                           scene.height,
                                           job.samples,
                                           scene.clip_space ? 1 : 0,
@@ -29,6 +67,8 @@ void AddJob(std::string& bytes, const DrawJob& job) {
                                           scissor.y0,
                                           scissor.x1,
                                           scissor.y1,
+                                          wanted.Bits(),
+                                          static_cast<std::int32_t>(wanted.channels),
                                           static_cast<std::int32_t>(scene.vertices.size()),
                                           static_cast<std::int32_t>(triangles.size())};
   Add(bytes, head.data(), sizeof(head));
@@ -36,6 +76,7 @@ void AddJob(std::string& bytes, const DrawJob& job) {
     const std::array<double, 4> numbers{v.x, v.y, v.z, v.w};
     Add(bytes, numbers.data(), sizeof(numbers));
   }
+  for (std::size_t c = 0; c < wanted.channels; ++c) AddChannel(bytes, scene.channels[c]);
   for (const Triangle& t : triangles) Add(bytes, t.data(), 3 * sizeof(std::int32_t));
   if (bytes.size() % 8 != 0) bytes.append(4, '\0');
 }
@@ -54,6 +95,11 @@ class AnswerReader {
     const std::string_view taken = bytes_.substr(0, size);
     bytes_.remove_prefix(size);
     return taken;
+  }
+  template <class T>
+  void Into(std::vector<T>& values) {
+    const std::string_view bytes = Bytes(values.size() * sizeof(T));
+    if (!bytes.empty()) std::memcpy(values.data(), bytes.data(), bytes.size());
   }
 
  private:
@@ -84,26 +130,42 @@ void TakeIds(const std::vector<std::int32_t>& ids, std::size_t triangles, DrawOu
   outcome.drawing.primitive_ids = ids;
 }
 
+void TakeFragments(AnswerReader& in, const Wanted& wanted, std::size_t size, Drawing& drawing) {
+  const auto take = [&](bool is_there, auto& values, std::size_t count) {
+    values.resize(is_there ? count : 0);
+    in.Into(values);
+  };
+  const Outputs& wants = wanted.wants;
+  take(wants.barycentrics, drawing.barycentrics, size);
+  take(wants.depths, drawing.depths, size);
+  take(wants.centroids, drawing.centroids, size);
+  take(wants.values, drawing.values, size * wanted.channels);
+  take(wants.derivatives, drawing.derivatives, size * wanted.channels);
+}
+
 DrawOutcome Answered(AnswerReader& in, std::size_t length, const DrawJob& job,
                      const SubjectInfo& info) {
   DrawOutcome outcome;
   CoverageCounts& counts = outcome.drawing.counts;
   counts = CoverageCounts(job.scene->width, job.scene->height, job.samples);
   const bool has_facings = info.coverage == CoverageKind::kFacingCounts;
+  const Wanted wanted(job, info);
   const std::size_t size = counts.size();
-  if (length != (has_facings ? 2 * size : size)) {
+  if (length != size * (has_facings ? 2 : 1 + 2 * wanted.Doubles())) {
     throw InputError(
         "answers",
         std::to_string(length) + " numbers for a target of " + std::to_string(size) + " samples",
-        "give height * width * samples of them, twice as many with facings");
+        "give height * width * samples of them, twice as many with facings, and of fragments what "
+        "is wanted, in doubles");
   }
-  const std::string_view bytes = in.Bytes(4 * length);
   if (ShowsPrimitiveIds(info)) {
     std::vector<std::int32_t> ids(size);
-    std::memcpy(ids.data(), bytes.data(), bytes.size());
+    in.Into(ids);
+    TakeFragments(in, wanted, size, outcome.drawing);
     TakeIds(ids, job.Triangles().size(), outcome);
     return outcome;
   }
+  const std::string_view bytes = in.Bytes(4 * length);
   std::memcpy(counts.front.data(), bytes.data(), 4 * size);
   if (has_facings) std::memcpy(counts.back.data(), bytes.data() + 4 * size, 4 * size);
   if (info.coverage == CoverageKind::kMask) {
@@ -114,11 +176,11 @@ DrawOutcome Answered(AnswerReader& in, std::size_t length, const DrawJob& job,
 
 }  // namespace
 
-std::string PackedJobs(std::span<const DrawJob> jobs) {
+std::string PackedJobs(std::span<const DrawJob> jobs, const SubjectInfo& info) {
   const std::array<std::int32_t, 2> head{static_cast<std::int32_t>(jobs.size()), 0};
   std::string bytes;
   Add(bytes, head.data(), sizeof(head));
-  for (const DrawJob& job : jobs) AddJob(bytes, job);
+  for (const DrawJob& job : jobs) AddJob(bytes, job, info);
   return bytes;
 }
 

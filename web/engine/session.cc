@@ -24,9 +24,13 @@
 namespace rasterproof::web {
 namespace {
 
-// A round small enough that a page stays awake, and its answers fit into memory.
-constexpr props::RoundSize kRound{
-    .requests = 2000, .samples = std::size_t{1} << 22, .of_a_shrinking = 32};
+// A round small enough that a page stays awake, and its answers fit into memory: a sample with
+// values takes up to a hundred times as much.
+props::RoundSize RoundOf(const SubjectInfo& info) {
+  const bool is_large = info.coverage == CoverageKind::kFragments;
+  return {
+      .requests = 2000, .samples = std::size_t{1} << (is_large ? 17 : 22), .of_a_shrinking = 32};
+}
 
 std::uint64_t CountOf(std::span<const PropertyResult> results, Outcome outcome) {
   return static_cast<std::uint64_t>(
@@ -55,7 +59,8 @@ void WriteClauses(io::JsonWriter& json, const PropertyResult& result) {
 
 }  // namespace
 
-Session::Session(Opened opened) : opened_(std::move(opened)), engine_(opened_.info, kRound) {
+Session::Session(Opened opened)
+    : opened_(std::move(opened)), engine_(opened_.info, RoundOf(opened_.info)) {
   for (const props::Property* property : opened_.properties) {
     runs_.push_back({Add(*property, nullptr), std::nullopt});
     if (props::IsPutToWidthInputs(property->name, opened_.info))
@@ -89,7 +94,7 @@ PropertyResult Session::Checked::Result() const {
   return result;
 }
 
-std::string Session::Next() { return PackedJobs(engine_.Next()); }
+std::string Session::Next() { return PackedJobs(engine_.Next(), engine_.answers().Info()); }
 
 bool Session::Answer(std::string_view bytes) {
   return engine_.Answer(OutcomesFrom(bytes, engine_.Next(), engine_.answers().Info()));
@@ -206,8 +211,8 @@ std::string Session::Result() const {
   json.Key("status").Integer(status).Key("not_asked").Integer(0);
   json.Key("unasked").BeginArray();
   if (opened_.is_whole_catalogue) {
-    // It shows coverage alone.
-    for (const props::NotAskedOf& one : props::NotAsked(opened_.info, {}, results)) {
+    const std::vector<props::Shows> outputs = props::OutputsOf(engine_.answers());
+    for (const props::NotAskedOf& one : props::NotAsked(opened_.info, outputs, results)) {
       json.BeginObjectLine().Key("statement").Text(one.what).Key("by").Text(one.why).EndObject();
     }
   }

@@ -18,17 +18,44 @@ export interface Request {
   vertices: Float64Array;
   /** Three vertices of each triangle. */
   triangles: Int32Array;
+  /** Of fragments, what is to be returned beside ids. */
+  wants: ("barycentrics" | "depths" | "centroids" | "values" | "derivatives")[];
+  /** What is to be interpolated. */
+  channels: Channel[];
+}
+export interface Channel {
+  interpolation: "flat" | "linear" | "perspective" | "inverse-w";
+  at: "sample" | "centre" | "centroid";
+  /** A number a vertex; null of 1/w. */
+  values: Float64Array | null;
+}
+/** What is visible at each sample, [height][width][sample], top row first; anything where nothing is. */
+export interface Fragments {
+  /** The triangle; -1: none. */
+  ids: Numbers;
+  /** Three a sample. */
+  barycentrics?: Numbers;
+  depths?: Numbers;
+  /** The barycentrics where values at the centroid are evaluated. */
+  centroids?: Numbers;
+  /** One of each channel, in their order. */
+  values?: Numbers;
+  /** Of each channel its derivatives by x and by y. */
+  derivatives?: Numbers;
 }
 
-/** How many triangles cover each sample, [height][width][sample], top row first. */
-export type Draw = (request: Request) => Numbers | Promise<Numbers>;
+/** How many triangles cover each sample, [height][width][sample], top row first; or fragments. */
+export type Drawing = Numbers | Fragments;
+export type Draw = (request: Request) => Drawing | Promise<Drawing>;
 
 export interface SubjectOptions {
   name?: string;
   input?: "float32" | "float64";
   /** What draw() returns. Of facing-counts those of back faces follow those of front faces. */
-  coverage?: "counts" | "facing-counts" | "mask" | "primitive-id";
+  coverage?: "counts" | "facing-counts" | "mask" | "primitive-id" | "fragments";
   visible?: "last-drawn" | "first-drawn";
+  /** Of fragments, beside barycentrics and depths. Which values is said by the profile. */
+  shows?: ("centroids" | "values" | "derivatives")[];
   takes?: ("window" | "clip" | "culling" | "scissor")[];
 }
 export interface CheckOptions {
@@ -176,7 +203,7 @@ export const oracle: {
   methods(): Promise<string[]>;
 };
 
-export type Answer = { counts: Numbers } | { refused: string } | { fault: string };
+export type Answer = { counts: Numbers } | { fragments: Fragments } | { refused: string } | { fault: string };
 /** One instance of the module, and one check at a time: for drawers of a page. */
 export class Engine {
   static create(): Promise<Engine>;

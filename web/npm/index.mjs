@@ -2,6 +2,10 @@
 
 const STATUS = { 0: "holds", 1: "violated", 4: "inconclusive" };
 const CULLS = [null, "front", "back"];
+const INTERPOLATIONS = ["flat", "linear", "perspective", "inverse-w"];
+const PLACES = ["sample", "centre", "centroid"];
+/** What may be wanted of fragments, with the doubles of a sample or, the last two, of a channel. */
+const WANTED = { barycentrics: 3, depths: 1, centroids: 3, values: 1, derivatives: 2 };
 
 /** What draw() throws for a scene that it does not draw. */
 export class Refused extends Error {}
@@ -130,15 +134,22 @@ function numberText(key, value) {
   return Number.isNaN(value) ? "nan" : value > 0 ? "inf" : "-inf";
 }
 
-function unpackRequests(bytes) {
+function unpackRequests({ buffer }) {
   const requests = [];
-  const view = new DataView(bytes.buffer);
   let at = 8;
-  for (let left = view.getInt32(0, true); left > 0; --left) {
-    const head = new Int32Array(bytes.buffer, at, 12);
-    const [width, height, samples, clip, cull, scissor, x0, y0, x1, y1, corners, triangles] = head;
-    const vertices = new Float64Array(bytes.buffer, at + 48, 4 * corners);
-    const indices = new Int32Array(bytes.buffer, at + 48 + 32 * corners, 3 * triangles);
+  const integers = (count) => new Int32Array(buffer, (at += 4 * count) - 4 * count, count);
+  const doubles = (count) => new Float64Array(buffer, (at += 8 * count) - 8 * count, count);
+  for (let left = new Int32Array(buffer, 0, 1)[0]; left > 0; --left) {
+    const [width, height, samples, clip, cull, scissor, x0, y0, x1, y1, wanted, ...sizes] = integers(14);
+    const [channelCount, corners, triangles] = sizes;
+    const vertices = doubles(4 * corners);
+    const channels = Array.from({ length: channelCount }, () => {
+      const [kind, place] = integers(2);
+      const interpolation = INTERPOLATIONS[kind];
+      const values = interpolation === "inverse-w" ? null : doubles(corners);
+      return { interpolation, at: PLACES[place], values };
+    });
+    const indices = integers(3 * triangles);
     requests.push({
       width,
       height,
@@ -148,15 +159,33 @@ function unpackRequests(bytes) {
       scissor: scissor ? [x0, y0, x1, y1] : null,
       vertices,
       triangles: indices,
+      wants: Object.keys(WANTED).filter((_, k) => (wanted >> k) & 1),
+      channels,
     });
-    at += (48 + 32 * corners + 12 * triangles + 7) & ~7;
+    at = (at + 7) & ~7;
   }
   return requests;
+}
+
+// The ids, and doubles behind them.
+function packFragments({ ids, ...shown }) {
+  const lists = Object.keys(WANTED).map((name) => shown[name] ?? []);
+  const doubles = new Float64Array(lists.reduce((sum, { length }) => sum + length, 0));
+  let at = 0;
+  for (const list of lists) {
+    doubles.set(list, at);
+    at += list.length;
+  }
+  const words = new Int32Array(ids.length + 2 * doubles.length);
+  words.set(ids);
+  new Uint8Array(words.buffer, 4 * ids.length).set(new Uint8Array(doubles.buffer));
+  return words;
 }
 
 function packAnswers(answers) {
   const parts = answers.map((answer) => {
     if (answer.counts) return { how: 0, words: answer.counts };
+    if (answer.fragments) return { how: 0, words: packFragments(answer.fragments) };
     const how = answer.refused !== undefined ? 1 : 2;
     const text = new TextEncoder().encode(answer.refused ?? answer.fault ?? "no answer");
     const words = new Int32Array(Math.ceil(text.length / 4));
@@ -173,10 +202,27 @@ function packAnswers(answers) {
   return new Uint8Array(packed.buffer);
 }
 
+// Of what a draw returns, what is wanted.
+function fragmentsOf(shown, size, { wants, channels }) {
+  const fragments = { ids: shown.ids };
+  const lengths = { ids: size };
+  for (const name of wants) {
+    const ofChannels = name === "values" || name === "derivatives";
+    lengths[name] = size * WANTED[name] * (ofChannels ? channels.length : 1);
+    fragments[name] = shown[name];
+  }
+  for (const [name, length] of Object.entries(lengths)) {
+    const given = fragments[name]?.length;
+    if (given !== length) return { fault: `draw() gave ${given ?? "no"} ${name}, and ${length} are wanted` };
+  }
+  return { fragments };
+}
+
 async function answerTo(draw, request) {
   try {
     const counts = await draw(request);
     const size = request.width * request.height * request.samples;
+    if (counts?.ids) return fragmentsOf(counts, size, request);
     if (counts?.length === size || counts?.length === 2 * size) return { counts };
     return { fault: `draw() gave ${counts?.length} numbers for ${size} samples` };
   } catch (error) {

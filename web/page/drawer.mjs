@@ -32,6 +32,8 @@
  * @property {number} largestTarget
  * @property {number} ceiling  What one sample counts to exactly: see ceilingOf.
  * @property {"down"|"up"} yAxis
+ * @property {?object} values  Keys of a profile's `values` beside those that every device has; null
+ *     where values can't be drawn.
  * @property {boolean} perSample  false: only sums over a pixel's samples can be read.
  * @property {{kind: "centred"|"ordinary", reach: number, error: number}} viewport  error: largest
  *     distance in pixels, for vertices in a target of 256 x 256, between a vertex and what reaches
@@ -40,6 +42,8 @@
  * @typedef {object} Drawer
  * @property {Info} info
  * @property {(scene: Scene) => Promise<Counts>} draw  Rejects with LostError after a loss.
+ * @property {(scene: import("./shading.mjs").ShadedScene) =>
+ *     Promise<import("./shading.mjs").Fragments>} shade  Where info.values says that it can.
  * @property {(vertices: Float32Array) => Promise<Uint32Array>} echo  The bits of x, y, z, w of each
  *     vertex after they passed a vertex shader.
  * @property {Promise<string>} lost  Resolves with the reason when the device or context is lost.
@@ -52,6 +56,7 @@
  *     mask?: number, position?: string}[]} [passes]  The draws that make one drawing. position:
  *     shader text that changes `p`, a clip-space position; `unit` is a pixel there.
  * @property {"max"} [blend]
+ * @property {(code: string) => string} [shade]  Changes the shader of values.
  * @property {(values: Float32Array) => void} [read]  Changes what is read back.
  */
 

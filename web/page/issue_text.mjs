@@ -25,7 +25,7 @@ export function issueText({asked, info, done, browser}) {
   const failure = firstFailure(done.result);
   const adapter = Object.values(info?.adapter ?? {}).filter((name) => typeof name === "string");
   const lines = [
-    `## Triangle coverage: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`, "",
+    `## ${asked.of === "values" ? "Values of pixels" : "Triangle coverage"}: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`, "",
     `- Device: ${adapter.join(", ") || "not said"}`,
     `- Browser: ${browser}`,
     `- Asked: ${{webgpu: "WebGPU", webgl2: "WebGL2"}[asked.api]}, samples a pixel: ${asked.samples}, ${asked.cases} cases of ` +

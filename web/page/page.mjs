@@ -9,6 +9,7 @@ const PROOF_NAMES = {
   counting: "Counting",
   vertices: "Vertices",
   addressing: "Samples, one by one",
+  numbers: "Numbers of pixels",
   places: "Places of the samples",
 };
 
@@ -171,8 +172,8 @@ function showFailure({message, clause, pixel, sample, expected, actual, ...failu
   byId("failure-link").href = parts.scene.linkOf(play);
   byId("reproduce").hidden = !picture;
   if (!picture) {
-    byId("edges").append(made("p", "There is no picture of this case: it is too large, or in " +
-        "clip space.", {class: "why"}));
+    byId("edges").append(made("p", isOfValues() ? "A value has no picture." :
+      "There is no picture of this case: it is too large, or in clip space.", {class: "why"}));
     return;
   }
   const key = showPicture(picture, play, pixel ?? [picture.x, picture.y], sample ?? 0);
@@ -203,12 +204,12 @@ function showResult({result, models, picture}) {
   const {causes = [], failures, properties, unasked} = result.subjects[0];
   showModels(models);
   const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
-  const place = ({outcome}) => (ORDER.indexOf(outcome) + ORDER.length) % ORDER.length;
+  const place = (one) => (ORDER.indexOf(outcomeOf(one)) + ORDER.length) % ORDER.length;
   const asked = properties.filter(({outcome}) => outcome !== "not applicable");
   show("verdicts", {"verdict-rows": asked.sort((a, b) => place(a) - place(b)).map((one) => {
     return made("tr", [
       made("th", made("span", one.property, {class: "name"}), {scope: "row"}),
-      made("td", chip(one.outcome)),
+      made("td", chip(outcomeOf(one))),
       made("td", one.cases, {class: "number"}),
       made("td", clauses.get(one.property) ?? one.message),
     ]);
@@ -231,16 +232,24 @@ function showResult({result, models, picture}) {
 /* What comes first in the table; what is not named here goes before the last. */
 const ORDER = ["violated", "inconclusive", "quality", "refused", "holds", "not exercised"];
 
+/* What no sentence forbids is a matter of quality. */
+const outcomeOf = ({outcome, fails}) => outcome === "violated" && !fails ? "quality" : outcome;
+const isOfValues = () => run.asked.of === "values";
+
 function sentence(outcome, reason, result) {
   const {properties = []} = result?.subjects[0] ?? {};
   const asked = properties.filter(({cases}) => cases > 0).length;
   const failing = properties.filter(({fails}) => fails).length;
   const of = `${failing} of ${counted(asked, "property", "properties")}`;
+  const lacks = properties.filter((one) => outcomeOf(one) === "quality").length;
   return {
     holds: "No sentence of the specification that was asked of this device is broken: " +
-        `${counted(asked, "property", "properties")}, no failure.`,
-    violated: `This device breaks what its specification says: ${of} failed. The first is ` +
-        "pictured below.",
+        `${counted(asked, "property", "properties")}, no failure.${lacks > 0 ?
+          ` ${lacks} found less than usual quality, which no sentence forbids.` : ""}`,
+    violated: isOfValues() ?
+      `Pixels hold other numbers than its specification's formulas give: ${of} failed. The first ` +
+          "is shown below." :
+      `This device breaks what its specification says: ${of} failed. The first is pictured below.`,
     inconclusive: result && reason ?
         `No property failed, and yet nothing is said to hold: ${reason}.` :
         "This device was not judged.",
@@ -255,6 +264,7 @@ function showDone(message) {
   byId("meanings").open = false;
   if (result) showResult(message);
   show("run", {"run-facts": facts([
+    ["Asked", isOfValues() ? "what pixels hold" : "which samples are covered"],
     ["Cases", `${run.asked.cases}, of each property`],
     ["Drawn with", `${NAMES[run.asked.api]}, samples a pixel: ${run.asked.samples}`],
     ["Seed", run.asked.seed],
@@ -283,15 +293,16 @@ const RECEIVE = {
       byId("status").textContent = `${done} of ${of} cases judged, ${draws} draws.`;
     }
   },
-  again() {
+  again({isFirst}) {
     if (document.body.dataset.state !== "running") return;
-    byId("status").textContent = "All cases are judged. Its model is looked for once more, by " +
-        "corners inside a viewport.";
+    byId("status").textContent = isFirst ?
+      "Its model is looked for first: values depend on where it puts corners." :
+      "All cases are judged. Its model is looked for once more, by corners inside a viewport.";
   },
   saved: ({bytes}) => keep(bytes),
   stopped({bytes}) {
     keep(bytes);
-    setState("stopped", "Stopped. Resume goes on where it was.");
+    setState("stopped", `Stopped.${bytes ? " Resume goes on where it was." : ""}`);
   },
   done: showDone,
 };
@@ -422,8 +433,8 @@ async function copy() {
 
 byId("ask").addEventListener("submit", (event) => {
   event.preventDefault();
-  const {api, samples, cases, seed} = Object.fromEntries(new FormData(event.target));
-  start({api, samples: Number(samples), cases: Number(cases), seed: Number(seed)});
+  const {of, api, samples, cases, seed} = Object.fromEntries(new FormData(event.target));
+  start({of, api, samples: Number(samples), cases: Number(cases), seed: Number(seed)});
 });
 byId("stop").addEventListener("click", () => port?.post({type: "stop"}));
 byId("resume").addEventListener("click", () => {

@@ -151,6 +151,32 @@ async function vertices(drawer) {
   };
 }
 
+/* Upright edges, eight pixels apart, each of a triangle of its own numbers that nothing turns. */
+async function numbers(drawer, samples) {
+  const sides = Array.from({length: 64}, (_, k) => 8 * k + 2);
+  const {vertices: points, triangles} = wedges(sides, 2000, {yAxis: drawer.info.yAxis});
+  const vertices = new Float32Array(2 * points.length);
+  for (let k = 0; k < points.length; k += 2) vertices.set([points[k], points[k + 1], 0, 1], 2 * k);
+  const channels = Array.from({length: 3}, (_, c) => {
+    const sent = new Float32Array(normalBits(3 * sides.length).buffer, 4 * c * sides.length);
+    const values = Float64Array.from({length: 3 * sides.length}, (_v, k) => sent[Math.floor(k / 3)]);
+    return {interpolation: "flat", at: "sample", values};
+  });
+  const {ids, values} = await drawer.shade({
+    width: 512, height: 1, samples, space: "clip", vertices, triangles, channels, wants: ["values"],
+  });
+  for (let k = 0; k < sides.length; ++k) {
+    for (let at = (8 * k + 6) * samples; at < (8 * k + 7) * samples; ++at) {
+      if (ids[at] !== k) return {reason: `triangle ${ids[at]} is visible where ${k} was drawn last`};
+      const wrong = channels.findIndex(({values: of}, c) => of[3 * k] !== values[3 * at + c]);
+      if (wrong < 0) continue;
+      const [was, is] = [channels[wrong].values[3 * k], values[3 * at + wrong]];
+      return {reason: `the number ${was} of all corners is read back as ${is}`};
+    }
+  }
+  return {said: `${3 * sides.length} numbers come back bit for bit, of the triangles drawn last`};
+}
+
 /* One triangle over everything, masked to one sample at a time. */
 async function addressing(drawer, samples) {
   const {each} = layout(drawer, samples);
@@ -212,12 +238,16 @@ async function places(drawer, samples) {
 /**
  * @param {import("./drawer.mjs").Drawer} drawer
  * @param {1|4} samples
+ * @param {boolean} [ofValues]
  * @returns {Promise<{passed: boolean, reason: string|null, api: string, samples: number,
  *     checks: {name: string, passed: boolean, said?: string, reason?: string}[]}>}
  *     A JSON value. The first check that fails ends it: those after it build on it.
  */
-export async function prove(drawer, samples = 1) {
-  const all = {readBack, counting, vertices, ...(samples > 1 && {addressing}), places};
+export async function prove(drawer, samples = 1, ofValues = false) {
+  const all = {
+    readBack, counting, vertices, ...(samples > 1 && {addressing}), places,
+    ...(ofValues && {numbers}),
+  };
   const record = {passed: true, reason: null, api: drawer.info.api, samples, checks: []};
   for (const [name, check] of Object.entries(all)) {
     let found;

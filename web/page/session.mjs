@@ -2,8 +2,8 @@
  * A run: opens a drawer, has it prove itself, and takes draws from the engine to it. It lives in
  * the worker, or in the page where a worker has no GPU, and speaks by messages.
  *
- * In: {type: "start", api, samples, cases, seed, [properties], [infer], [saved], [plant]},
- * "pause", "go", "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
+ * In: {type: "start", api, samples, cases, seed, [of: "coverage" | "values"], [properties], [infer],
+ * [saved], [plant]}, "pause", "go", "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
  * {done, of, draws, milliseconds} and "saved" {bytes} in turn, "again" when the cases are judged,
  * and at last "stopped" {bytes} or "done" {outcome, reason, result, models, losses, pauses, draws,
  * milliseconds, bytes, picture}. models: {side, model, text} of viewports of two sizes, in pixels.
@@ -15,6 +15,7 @@ import {open as openWebGpu} from "./webgpu.mjs";
 import {prove} from "./self_proof.mjs";
 import {Engine} from "./engine.mjs";
 import {pictureOf} from "./picture.mjs";
+import {refusalOfCorners} from "./shading.mjs";
 
 const OPENERS = {webgl2: openWebGl2, webgpu: openWebGpu};
 const OUTCOMES = {0: "holds", 1: "violated", 4: "inconclusive"};
@@ -30,6 +31,16 @@ const MOST_SHRINKING = 60;
 const SMALL_REACH = 1024;
 const SMALL_LIMIT = 514;
 const PROFILES = {webgpu: "webgpu", webgl2: "gl"};
+/* What is asked of values. Corners are near enough for no viewport to clip. */
+const VALUES_LIMIT = 1024;
+const MOST_CONDITIONS = 1024;
+const OF_VALUES = [
+  "CentroidValuesStayWithinTheirError", "CoveredSamplesHoldNumbers",
+  "DerivativesStayWithinTheirError", "EqualValuesStayEqual",
+  "FlatValuesComeFromTheProvokingVertex", "QuadDifferencesEqualDifferencesOfValues", "ValuesAlongAnEdgeDependOnItsEnds",
+  "ValuesAreMonotoneAlongRows", "ValuesStayInTheHull", "ValuesStayWithinTheirError",
+  "VerticesKeepTheirValues",
+];
 
 /** Lets messages in. No timer: those of hidden tabs stand still. */
 function turn() {
@@ -49,6 +60,14 @@ function sceneOf({width, height, samples, vertices, triangles}, reach) {
   for (let k = 0; k < points.length; ++k) points[k] = vertices[4 * (k >> 1) + (k & 1)];
   return {
     width, height, samples, vertices: points, triangles: Uint32Array.from(triangles), reach,
+  };
+}
+
+/** Likewise with all that is interpolated. */
+function shadedSceneOf({width, height, samples, vertices, triangles, channels, wants}) {
+  return {
+    width, height, samples, channels, wants, space: "clip", vertices: Float32Array.from(vertices),
+    triangles: Uint32Array.from(triangles),
   };
 }
 
@@ -74,6 +93,7 @@ class Session {
   #batch = 4;
   #lost = 0;  // triangles, while the drawer proved itself
   #reach = undefined;
+  #shades = false;  // draws what pixels hold, not what is covered
   isStopped = false;
 
   constructor(post, asked) {
@@ -111,10 +131,32 @@ class Session {
     const {info} = this.#drawer;
     if (samples > 1 && !info.perSample) return "WebGL2 can't read single samples";
     if (!info.samples.includes(samples)) return `this device does not draw ${samples} samples`;
-    const record = await prove(this.#drawer, samples);
+    if (this.#isOfValues && !info.values) {
+      return "this device lacks float targets or a centred viewport, and no values are drawn";
+    }
+    const record = await prove(this.#drawer, samples, this.#isOfValues);
     this.#post({type: "proof", record});
     this.#lost = record.checks.reduce((sum, {lost = 0}) => sum + lost, 0);
     return record.reason;
+  }
+
+  get #isOfValues() {
+    return this.#asked.of === "values";
+  }
+
+  async #drawOne(request, reach) {
+    const {info} = this.#drawer;
+    if (!this.#shades) {
+      const refused = refusalOf(request, info);
+      if (refused) return {refused};
+      const counts = await this.#drawer.draw(sceneOf(request, reach));
+      return {counts: facingCounts(counts, info.yAxis)};
+    }
+    const refused = refusalOf(request, info) ?? refusalOfCorners(request, info);
+    if (refused) return {refused};
+    const {ids, ...shown} = await this.#drawer.shade(shadedSceneOf(request));
+    const wanted = request.wants.map((name) => [name, shown[name]]);
+    return {fragments: {ids, ...Object.fromEntries(wanted)}};
   }
 
   /** Draws in batches that a GPU has in hand at once; null if stopped. */
@@ -124,13 +166,7 @@ class Session {
     while (answers.length < requests.length) {
       const since = performance.now();
       const batch = requests.slice(answers.length, answers.length + this.#batch);
-      const {info} = this.#drawer;
-      answers.push(...await Promise.all(batch.map(async (request) => {
-        const refused = refusalOf(request, info);
-        if (refused) return {refused};
-        const counts = await this.#drawer.draw(sceneOf(request, reach));
-        return {counts: facingCounts(counts, info.yAxis)};
-      })));
+      answers.push(...await Promise.all(batch.map((one) => this.#drawOne(one, reach))));
       this.#record.draws += batch.length;
       const spent = performance.now() - since;
       if (spent < LEAST_MILLISECONDS) this.#batch = Math.min(2 * this.#batch, MOST_DRAWS);
@@ -156,15 +192,47 @@ class Session {
     }
   }
 
-  #openEngine() {
+  #openEngine(model) {
     const {api, samples, cases, seed, properties, infer = true, saved} = this.#asked;
-    const profile = PROFILES[api] + (samples > 1 ? `-${samples}x` : "");
-    const shrink = MOST_SHRINKING;
-    this.#engine.open({
-      subject: this.#subject(), profile, cases, seed, shrink, infer, causes: true,
-      ...(properties && {properties}),
-    });
+    const common = {cases, seed, shrink: MOST_SHRINKING, causes: true};
+    if (this.#isOfValues) {
+      this.#engine.open({
+        subject: {
+          name: `${api}-values`, input: "float32", coverage: "fragments",
+          shows: ["values", "derivatives"], takes: ["window", "clip"],
+        },
+        profile: this.#profileOfValues(model), properties: properties ?? OF_VALUES, ...common,
+      });
+    } else {
+      const profile = this.#set();
+      this.#engine.open(
+          {subject: this.#subject(), profile, infer, ...common, ...(properties && {properties})});
+    }
     if (saved) this.#engine.load(saved);
+  }
+
+  /**
+   * What all specifications say of values, of corners on the grid that was found. None states an
+   * error: of ours, rounding is far within, and what another vertex or plane gives far beyond.
+   */
+  #profileOfValues(model) {
+    const {api, samples} = this.#asked;
+    const bits = model?.subpixelBits ?? [];
+    const error = {conditions: MOST_CONDITIONS, absolute: 2 ** -125};  // subnormals may be zeros
+    return {
+      name: `${api}-values`, contract: "none", coordinate_limit: VALUES_LIMIT,
+      sample_locations: `standard-${samples}`, centroid: "inside",
+      ...(bits.length === 1 && bits[0] !== "none" && {subpixel_bits: bits[0]}),
+      values: {
+        weights: "perspective", flat: true, centres: true, centroids: true, flushes: true,
+        inverse_w: samples === 1, error, ...this.#drawer.info.values,
+      },
+    };
+  }
+
+  #set() {
+    const {api, samples} = this.#asked;
+    return PROFILES[api] + (samples > 1 ? `-${samples}x` : "");
   }
 
   #subject() {
@@ -191,7 +259,7 @@ class Session {
   /** The model in a centred viewport, by corners up to `limit`; null if stopped. */
   async #modelWithin(reach, limit) {
     const {api, samples, seed} = this.#asked;
-    this.#post({type: "again"});
+    this.#post({type: "again", isFirst: this.#isOfValues});
     const engine = await Engine.create();
     const profile = {
       specification: PROFILES[api], name: "within", coordinate_limit: limit,
@@ -216,7 +284,7 @@ class Session {
   async #picture({subjects: [{failures}]}) {
     const {samples} = this.#asked;
     const failure = failures.find(({fails}) => fails) ?? failures[0];
-    if (!failure) return null;
+    if (!failure || this.#isOfValues) return null;
     const draw = async (request) => {
       const [{counts}] = await this.#answers([request]) ?? [{}];
       if (!counts) throw new Error("no counts");
@@ -233,15 +301,27 @@ class Session {
   async run() {
     const begun = performance.now();
     const milliseconds = () => Math.round(performance.now() - begun);
+    // An engine that ended has nothing to save.
+    const saved = () => {
+      try {
+        return this.#engine?.save() ?? null;
+      } catch {
+        return null;
+      }
+    };
     const finish = (outcome, reason, found = {}) => this.#post({
       type: "done", outcome, reason, result: null, models: [], picture: null, ...found,
-      ...this.#record, milliseconds: milliseconds(), bytes: this.#engine?.save() ?? null,
+      ...this.#record, milliseconds: milliseconds(), bytes: saved(),
     });
     try {
       const reason = await this.#begin();
       if (reason) return finish("inconclusive", reason);
+      const {reach} = this.#drawer.info.viewport;
+      const found = this.#isOfValues ? [await this.#modelWithin(reach, VALUES_LIMIT)] : [];
+      if (found.includes(null)) return this.#post({type: "stopped", bytes: null});
+      this.#shades = this.#isOfValues;
       this.#engine = await Engine.create();
-      this.#openEngine();
+      this.#openEngine(found[0]?.model);
       let savedAt = 0;
       for (let round = this.#engine.next(); round.length > 0; round = this.#engine.next()) {
         const answers = await this.#answers(round);
@@ -257,7 +337,7 @@ class Session {
         this.#post({type: "saved", bytes: this.#engine.save()});
       }
       const result = this.#engine.result();
-      const models = await this.#models(result);
+      const models = this.#isOfValues ? found : await this.#models(result);
       if (!models) return this.#post({type: "stopped", bytes: this.#engine.save()});
       const picture = await this.#picture(result);
       const outcome = OUTCOMES[result.status] ?? "inconclusive";

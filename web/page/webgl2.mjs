@@ -6,6 +6,7 @@ import {
   LostError, MOST_SIDE, addCounts, checkScene, clipVertices, parts, powerBelow, targetSides,
   viewportOf,
 } from "./drawer.mjs";
+import {CORNER_FLOATS, Shown, cornersOf, passesOf} from "./shading.mjs";
 
 /* one: what a fragment adds, and a count of 1 is in the target. */
 const FORMATS = {
@@ -32,6 +33,35 @@ out vec4 color;
 void main() {
   color = gl_FrontFacing || add.z == 0.0 ? vec4(add.x, 0, 0, 0) : vec4(0, add.y, 0, 0);
 }`;
+
+/* GLSL ES interpolates in perspective or not at all. With one sample all places are its centre. */
+const SHADE_VERTEX_SHADER = `#version 300 es
+layout(location = 0) in vec4 clip;
+layout(location = 1) in vec2 numbers;
+smooth out highp vec2 perspective;
+flat out highp vec2 provoking;
+flat out highp float number;
+void main() {
+  perspective = provoking = numbers;
+  number = float(gl_VertexID / 3 + 1);
+  gl_Position = clip;
+}`;
+const SHADE_FRAGMENT_SHADER = `#version 300 es
+precision highp float;
+precision highp int;
+uniform ivec2 kinds;
+smooth in highp vec2 perspective;
+flat in highp vec2 provoking;
+flat in highp float number;
+layout(location = 0) out vec4 shown;
+layout(location = 1) out vec4 slopes;
+void main() {
+  vec2 way[4] = vec2[4](provoking, perspective, perspective, vec2(gl_FragCoord.w));
+  vec2 value = vec2(way[kinds.x % 4].x, way[kinds.y % 4].y);
+  shown = vec4(number, value, gl_FragCoord.z);
+  slopes = vec4(dFdx(value), dFdy(value));
+}`;
+const SHADED = ["COLOR_ATTACHMENT0", "COLOR_ATTACHMENT1"];
 
 class WebGl2Drawer {
   #gl;
@@ -74,17 +104,23 @@ class WebGl2Drawer {
     return shader;
   }
 
+  #linked(vertexText, fragmentText, passed) {
+    const gl = this.#gl;
+    const program = gl.createProgram();
+    gl.attachShader(program, this.#shader(gl.VERTEX_SHADER, vertexText));
+    gl.attachShader(program, this.#shader(gl.FRAGMENT_SHADER, fragmentText));
+    if (passed) gl.transformFeedbackVaryings(program, [passed], gl.INTERLEAVED_ATTRIBS);
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
+      throw new Error(`a shader is refused: ${gl.getProgramInfoLog(program)}`);
+    }
+    return program;
+  }
+
   #program(position) {
     return this.#kept(`program ${position}`, () => {
       const gl = this.#gl;
-      const program = gl.createProgram();
-      gl.attachShader(program, this.#shader(gl.VERTEX_SHADER, vertexShader(position)));
-      gl.attachShader(program, this.#shader(gl.FRAGMENT_SHADER, FRAGMENT_SHADER));
-      gl.transformFeedbackVaryings(program, ["passed"], gl.INTERLEAVED_ATTRIBS);
-      gl.linkProgram(program);
-      if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost()) {
-        throw new Error(`a shader is refused: ${gl.getProgramInfoLog(program)}`);
-      }
+      const program = this.#linked(vertexShader(position), FRAGMENT_SHADER, "passed");
       const [unit, add] = ["unit", "add"].map((name) => gl.getUniformLocation(program, name));
       return {program, unit, add};
     });
@@ -212,6 +248,67 @@ class WebGl2Drawer {
     return counts;
   }
 
+  #shadeTarget(sides) {
+    return this.#kept(`shade ${sides}`, () => {
+      const gl = this.#gl;
+      const framebuffer = gl.createFramebuffer();
+      gl.bindFramebuffer(gl.FRAMEBUFFER, framebuffer);
+      for (const attachment of SHADED) {
+        const target = gl.createRenderbuffer();
+        gl.bindRenderbuffer(gl.RENDERBUFFER, target);
+        gl.renderbufferStorage(gl.RENDERBUFFER, gl.RGBA32F, ...sides);
+        gl.framebufferRenderbuffer(gl.FRAMEBUFFER, gl[attachment], gl.RENDERBUFFER, target);
+      }
+      gl.drawBuffers(SHADED.map((attachment) => gl[attachment]));
+      return framebuffer;
+    });
+  }
+
+  /** Draws two channels: four floats a pixel of each of two targets. */
+  #shadePass(scene, corners, kinds) {
+    const gl = this.#gl;
+    const {shade = (code) => code} = this.#plant;
+    const program = this.#kept("shade", () => {
+      return this.#linked(shade(SHADE_VERTEX_SHADER), shade(SHADE_FRAGMENT_SHADER));
+    });
+    gl.useProgram(program);
+    gl.uniform2i(gl.getUniformLocation(program, "kinds"), ...kinds);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, this.#shadeTarget(targetSides(scene, this.info.viewport)));
+    gl.viewport(...viewportOf(scene, this.info.viewport));
+    gl.enable(gl.SCISSOR_TEST);
+    gl.scissor(0, 0, scene.width, scene.height);
+    gl.disable(gl.SAMPLE_COVERAGE);
+    gl.clearColor(0, 0, 0, 0);
+    gl.clear(gl.COLOR_BUFFER_BIT);
+    this.#upload(gl.ARRAY_BUFFER, corners);
+    [[0, 4, 0], [1, 2, 16]].forEach(([place, size, offset]) => {
+      gl.enableVertexAttribArray(place);
+      gl.vertexAttribPointer(place, size, gl.FLOAT, false, 4 * CORNER_FLOATS, offset);
+    });
+    gl.drawArrays(gl.TRIANGLES, 0, corners.length / CORNER_FLOATS);
+    gl.disableVertexAttribArray(1);
+    const read = SHADED.map((attachment) => {
+      const pixels = new Float32Array(4 * scene.width * scene.height);
+      gl.readBuffer(gl[attachment]);
+      gl.readPixels(0, 0, scene.width, scene.height, gl.RGBA, gl.FLOAT, pixels);
+      return pixels;
+    });
+    this.#check();
+    return read;
+  }
+
+  async shade(scene) {
+    checkScene(scene, this.info);
+    const placed = clipVertices(scene, this.info.viewport, 1, 0);
+    const all = new Shown(scene);
+    for (const pass of passesOf(scene)) {
+      const corners = cornersOf(scene, placed, 0, pass.channels);
+      const [shown, slopes] = this.#shadePass(scene, corners, pass.kinds);
+      all.take(pass, (k, n) => n < 4 ? shown[4 * k + n] : slopes[4 * k + n - 4]);
+    }
+    return all.fragments;
+  }
+
   async echo(vertices) {
     const gl = this.#gl;
     const {program} = this.#program("");
@@ -303,6 +400,8 @@ export async function open({viewport, format, plant = {}} = {}) {
     ceiling: chosen.ceiling,
     yAxis: "up",
     perSample: false,
+    values: isCentred && gl.getExtension("EXT_color_buffer_float") ?
+        {provoking: "last", inverse_w: true} : null,
     viewport: isCentred ? {kind: "centred", reach, error: 0} :
                           {kind: "ordinary", reach: 128, error: 2 ** -18},
   }, plant);

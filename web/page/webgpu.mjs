@@ -3,6 +3,7 @@ import {
   LostError, MOST_SIDE, addCounts, checkScene, clipVertices, parts, powerBelow, targetSides,
   viewportOf,
 } from "./drawer.mjs";
+import {CORNER_FLOATS, SAMPLE_FLOATS, Shown, cornersOf, passesOf} from "./shading.mjs";
 
 const FORMAT = "rgba16float";
 const CEILING = 2048;  // 2049 is no half float
@@ -20,14 +21,68 @@ const drawShader = (position, unit, hasFacing) => `
 }`;
 
 const readShader = (samples) => `
-@group(0) @binding(0) var image: texture_${samples > 1 ? "multisampled_" : ""}2d<f32>;
-@group(0) @binding(1) var<storage, read_write> counts: array<vec2f>;
-@group(0) @binding(2) var<uniform> size: vec2u;
+@group(0) @binding(0) var<storage, read_write> counts: array<vec2f>;
+@group(0) @binding(1) var<uniform> size: vec2u;
+@group(0) @binding(2) var image: texture_${samples > 1 ? "multisampled_" : ""}2d<f32>;
 @compute @workgroup_size(8, 8) fn read(@builtin(global_invocation_id) pixel: vec3u) {
   if (any(pixel.xy >= size)) { return; }
   for (var s = 0; s < ${samples}; s++) {
     let at = (pixel.y * size.x + pixel.x) * ${samples} + u32(s);
     counts[at] = textureLoad(image, pixel.xy, ${samples > 1 ? "s" : "0"}).rg;
+  }
+}`;
+
+const PLACES_OF = {1: ["center", "centroid"], 4: ["center", "centroid", "sample"]};
+const SHADED = Array.from({length: SAMPLE_FLOATS}, (_, n) => `n${n}`);
+
+/* Every number in every way. What is interpolated at samples has the shader run for each. A target
+   of four floats can't have several samples; eight of one float can. */
+const shadeShader = (samples) => {
+  const places = PLACES_OF[samples];
+  const ways = ["linear", "perspective"].flatMap((way) => places.map((place) => [way, place]));
+  const at = (place) => {
+    const there = places.includes(place) ? place : "center";
+    return `passed.provoking, passed.linear_${there}, passed.perspective_${there}, ` +
+        "vec2f(passed.place.w)";
+  };
+  return `
+struct Passed {
+  @builtin(position) place: vec4f,
+  @location(0) @interpolate(flat) provoking: vec2f,
+  @location(1) @interpolate(flat) number: f32,
+  ${ways.map(([way, place], k) => {
+    return `@location(${k + 2}) @interpolate(${way}, ${place}) ${way}_${place}: vec2f,`;
+  }).join("\n  ")}
+}
+struct Shown { ${SHADED.map((name, n) => `@location(${n}) ${name}: f32`).join(", ")} }
+@group(0) @binding(0) var<uniform> kinds: vec2u;
+@vertex fn place(@location(0) clip: vec4f, @location(1) numbers: vec2f,
+    @builtin(vertex_index) k: u32) -> Passed {
+  return Passed(clip, numbers, f32(k / 3 + 1), ${ways.map(() => "numbers").join(", ")});
+}
+@fragment fn show(passed: Passed) -> Shown {
+  var way = array<vec2f, 12>(${["sample", "center", "centroid"].map(at).join(", ")});
+  let value = vec2f(way[kinds.x].x, way[kinds.y].y);
+  let x = dpdxFine(value);
+  let y = dpdyFine(value);
+  return Shown(passed.number, value.x, value.y, passed.place.z, x.x, x.y, y.x, y.y);
+}`;
+};
+
+const readShadedShader = (samples) => `
+${SHADED.map((name, n) => {
+  return `@group(0) @binding(${n + 2}) var ${name}: texture_${
+    samples > 1 ? "multisampled_" : ""}2d<f32>;`;
+}).join("\n")}
+@group(0) @binding(0) var<storage, read_write> numbers: array<f32>;
+@group(0) @binding(1) var<uniform> size: vec2u;
+@compute @workgroup_size(8, 8) fn read(@builtin(global_invocation_id) pixel: vec3u) {
+  if (any(pixel.xy >= size)) { return; }
+  for (var s = 0; s < ${samples}; s++) {
+    let at = ${SAMPLE_FLOATS} * ((pixel.y * size.x + pixel.x) * ${samples} + u32(s));
+    ${SHADED.map((name, n) => {
+      return `numbers[at + ${n}] = textureLoad(${name}, pixel.xy, ${samples > 1 ? "s" : "0"}).r;`;
+    }).join("\n    ")}
   }
 }`;
 
@@ -85,11 +140,12 @@ class WebGpuDrawer {
     return buffer;
   }
 
-  #target(sides, samples) {
-    return this.#kept(`target ${sides} ${samples}`, () => this.#device.createTexture({
+  #target(sides, samples, format = FORMAT, number = 0) {
+    const key = `target ${sides} ${samples} ${format} ${number}`;
+    return this.#kept(key, () => this.#device.createTexture({
       size: sides,
       sampleCount: samples,
-      format: FORMAT,
+      format,
       usage: GPUTextureUsage.RENDER_ATTACHMENT | GPUTextureUsage.TEXTURE_BINDING,
     }).createView());
   }
@@ -119,11 +175,79 @@ class WebGpuDrawer {
     });
   }
 
-  #readPipeline(samples) {
-    return this.#kept(`read ${samples}`, () => this.#device.createComputePipeline({
+  #readPipeline(code) {
+    return this.#kept(code, () => this.#device.createComputePipeline({
       layout: "auto",
-      compute: {module: this.#device.createShaderModule({code: readShader(samples)})},
+      compute: {module: this.#device.createShaderModule({code})},
     }));
+  }
+
+  #shadePipeline(samples) {
+    return this.#kept(`shade ${samples}`, () => {
+      const {shade = (code) => code} = this.#plant;
+      const module = this.#device.createShaderModule({code: shade(shadeShader(samples))});
+      return this.#device.createRenderPipeline({
+        layout: "auto",
+        vertex: {
+          module,
+          buffers: [{
+            arrayStride: 4 * CORNER_FLOATS,
+            attributes: [{shaderLocation: 0, offset: 0, format: "float32x4"},
+              {shaderLocation: 1, offset: 16, format: "float32x2"}],
+          }],
+        },
+        fragment: {module, targets: SHADED.map(() => ({format: "r32float"}))},
+        primitive: {topology: "triangle-list"},
+        multisample: {count: samples},
+      });
+    });
+  }
+
+  #bound(pipeline, resources) {
+    return this.#device.createBindGroup({
+      layout: pipeline.getBindGroupLayout(0),
+      entries: resources.map((resource, binding) => ({binding, resource})),
+    });
+  }
+
+  /** Reads `floats` numbers of each sample by a shader: they lie in the buffer that it returns. */
+  #encodeRead(encoder, {width, height, samples = 1}, code, views, floats, toDestroy) {
+    const bytes = 4 * floats * width * height * samples;
+    const numbers = this.#buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
+    const size = this.#filled(new Uint32Array([width, height]), GPUBufferUsage.UNIFORM);
+    const read = this.#readPipeline(code);
+    const compute = encoder.beginComputePass();
+    compute.setPipeline(read);
+    compute.setBindGroup(0, this.#bound(read, [{buffer: numbers}, {buffer: size}, ...views]));
+    compute.dispatchWorkgroups(Math.ceil(width / 8), Math.ceil(height / 8));
+    compute.end();
+    const mapped = this.#buffer(bytes, GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ);
+    encoder.copyBufferToBuffer(numbers, 0, mapped, 0, bytes);
+    toDestroy.push(numbers, size, mapped);
+    return mapped;
+  }
+
+  /** Encodes the draw of two channels; what samples hold lies in the buffer that it returns. */
+  #encodeShaded(encoder, scene, corners, kinds, toDestroy) {
+    const {width, height, samples = 1} = scene;
+    const sides = targetSides(scene, this.info.viewport);
+    const views = SHADED.map((_, n) => this.#target(sides, samples, "r32float", n));
+    const pipeline = this.#shadePipeline(samples);
+    const uniform = this.#filled(Uint32Array.from(kinds), GPUBufferUsage.UNIFORM);
+    const vertices = this.#filled(corners, GPUBufferUsage.VERTEX);
+    toDestroy.push(uniform, vertices);
+    const pass = encoder.beginRenderPass({
+      colorAttachments: views.map((view) => ({view, loadOp: "clear", storeOp: "store"})),
+    });
+    pass.setViewport(...viewportOf(scene, this.info.viewport), 0, 1);
+    pass.setScissorRect(0, 0, width, height);
+    pass.setPipeline(pipeline);
+    pass.setBindGroup(0, this.#bound(pipeline, [{buffer: uniform}]));
+    pass.setVertexBuffer(0, vertices);
+    pass.draw(corners.length / CORNER_FLOATS);
+    pass.end();
+    return this.#encodeRead(
+        encoder, scene, readShadedShader(samples), views, SAMPLE_FLOATS, toDestroy);
   }
 
   /** Encodes one part of a drawing; the counts lie in the buffer that it returns. */
@@ -148,23 +272,7 @@ class WebGpuDrawer {
       pass.drawIndexed(one.indices.length);
     }
     pass.end();
-    const bytes = 8 * width * height * samples;
-    const counts = this.#buffer(bytes, GPUBufferUsage.STORAGE | GPUBufferUsage.COPY_SRC);
-    const size = this.#filled(new Uint32Array([width, height]), GPUBufferUsage.UNIFORM);
-    const read = this.#readPipeline(samples);
-    const compute = encoder.beginComputePass();
-    compute.setPipeline(read);
-    compute.setBindGroup(0, this.#device.createBindGroup({
-      layout: read.getBindGroupLayout(0),
-      entries: [view, {buffer: counts}, {buffer: size}]
-          .map((resource, binding) => ({binding, resource})),
-    }));
-    compute.dispatchWorkgroups(Math.ceil(width / 8), Math.ceil(height / 8));
-    compute.end();
-    const mapped = this.#buffer(bytes, GPUBufferUsage.COPY_DST | GPUBufferUsage.MAP_READ);
-    encoder.copyBufferToBuffer(counts, 0, mapped, 0, bytes);
-    toDestroy.push(counts, size, mapped);
-    return mapped;
+    return this.#encodeRead(encoder, scene, readShader(samples), [view], 2, toDestroy);
   }
 
   /** Runs what `encode` encodes and reads the buffers that it returns. */
@@ -212,6 +320,22 @@ class WebGpuDrawer {
       addCounts(counts, values);
     }
     return counts;
+  }
+
+  async shade(scene) {
+    checkScene(scene, this.info);
+    const placed = clipVertices(scene, this.info.viewport, -1, 0);
+    const passes = passesOf(scene);
+    const read = await this.#run((encoder, toDestroy) => passes.map(({channels, kinds}) => {
+      const corners = cornersOf(scene, placed, 0.5, channels);
+      return this.#encodeShaded(encoder, scene, corners, kinds, toDestroy);
+    }));
+    const all = new Shown(scene);
+    read.forEach((bytes, k) => {
+      const numbers = new Float32Array(bytes);
+      all.take(passes[k], (sample, n) => numbers[SAMPLE_FLOATS * sample + n]);
+    });
+    return all.fragments;
   }
 
   async echo(vertices) {
@@ -302,6 +426,7 @@ export async function open({viewport, plant = {}} = {}) {
     ceiling: CEILING,
     yAxis: "down",
     perSample: true,
+    values: isCentred ? {provoking: "first", derivatives: "fine", linear: true} : null,
     viewport: isCentred ? {kind: "centred", reach, error: 0} :
                           {kind: "ordinary", reach: 128, error: 2 ** -18},
   }, plant);

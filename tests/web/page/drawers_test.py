@@ -50,12 +50,12 @@ class Drawers(unittest.TestCase):
           {body}
         }})()""")
 
-    def proof(self, api, samples, plant=None, options="{}"):
+    def proof(self, api, samples, plant=None, options="{}", of_values="false"):
         language = "wgsl" if api == "webgpu" else "glsl"
         given = f'plants.plants("{language}")["{plant}"]' if plant else "{}"
         return self.value(f"""
           const opened = await {api}.open({{...{options}, plant: {given}}});
-          const record = await self_proof.prove(opened, {samples});
+          const record = await self_proof.prove(opened, {samples}, {of_values});
           opened.close();
           return {{...record, info: opened.info}};""")
 
@@ -86,7 +86,7 @@ class Drawers(unittest.TestCase):
 
     def test_what_cannot_be_believed_is_refused_and_the_rest_reaches_the_engine(self):
         names = self.value('return Object.keys(plants.plants("wgsl"))')
-        self.assertEqual(len(names), 10)  # the nine faults, and a change that is none
+        self.assertEqual(len(names), 13)  # nine faults, a change that is none, three of values
         for api, samples in (("webgpu", 4), ("webgl2", 1), ("webgl2", 4)):
             refused = REFUSED | (REFUSED_OF_4_IN_WEBGPU if api == "webgpu" else {})
             for name in names:
@@ -100,6 +100,18 @@ class Drawers(unittest.TestCase):
                         self.assertGreater(record["checks"][1]["lost"], 0)
                     if (samples, name) == (4, "second-sample-misplaced"):
                         self.assertFalse(record["checks"][-1]["standard"])
+
+    def test_numbers_of_pixels_are_proved_where_values_are_asked(self):
+        for api, samples in (("webgpu", 1), ("webgpu", 4), ("webgl2", 1)):
+            with self.subTest(api=api, samples=samples):
+                sound = self.proof(api, samples, of_values="true")
+                self.assertTrue(sound["passed"], sound)
+                self.assertIn("192 numbers come back", sound["checks"][-1]["said"])
+                lying = self.proof(api, samples, "one-more", of_values="true")
+                self.assertEqual(lying["checks"][-1]["name"], "numbers")
+                self.assertIn("is read back as", lying["reason"])
+            ordinary = self.proof(api, samples, options='{viewport: "ordinary"}')
+            self.assertIsNone(ordinary["info"]["values"])
 
     def test_a_drawer_that_lies_is_refused_by_the_check_that_asks_it(self):
         for name, (change, refused_by) in LIARS.items():

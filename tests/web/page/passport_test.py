@@ -352,7 +352,7 @@ class Passport(unittest.TestCase):
                 id || name || ariaLabel || tagName)(document.activeElement)"""))
             if met[-1] == "play-preset":
                 break
-        self.assertEqual(met, ["A", "api", "samples", "cases", "seed", "start", "SUMMARY",
+        self.assertEqual(met, ["A", "of", "api", "samples", "cases", "seed", "start", "SUMMARY",
                                "Verdicts", "failure-link", "reproduce", "SUMMARY", "save", "copy",
                                "compare-first", "compare-second", "play-preset"])  # fmt: skip
 

@@ -44,6 +44,20 @@ export function plants(language) {
       passes: () => [{select: (triangle) => triangle % 1000 !== 999}],
     },
     "saturating": {blend: "max"},
+    // Of what pixels hold: on the screen instead of in perspective, another number, x for y.
+    "affine": {
+      shade: (code) => code.replaceAll("@interpolate(perspective", "@interpolate(linear")
+          .replace("perspective = provoking = numbers", "perspective = (provoking = numbers) * clip.w")
+          .replaceAll("perspective, perspective,", "perspective * gl_FragCoord.w, perspective * gl_FragCoord.w,"),
+    },
+    "one-more": {
+      shade: (code) => code.replaceAll("passed.provoking, ", "passed.provoking + 1.0, ")
+          .replace("vec2[4](provoking,", "vec2[4](provoking + 1.0,"),
+    },
+    "slopes-exchanged": {
+      shade: (code) => code.replace("x.x, x.y, y.x, y.y", "y.x, y.y, x.x, x.y")
+          .replace("dFdx(value), dFdy(value)", "dFdy(value), dFdx(value)"),
+    },
     "lying-read-back": {
       read: (values) => {
         for (let k = 37; k < values.length; k += 101) values[k] = Math.max(0, values[k] ^ 1);

@@ -16,8 +16,8 @@ import re
 FOLDER = pathlib.Path(__file__).resolve().parent
 SOURCES = FOLDER.parent.parent
 # In order: each sees those before it.
-MODULES = ("drawer", "shading", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants", "scene",
-           "board", "geometry", "corners", "methods", "numbers", "picture", "session",
+MODULES = ("drawer", "shading", "webgpu", "webgl2", "self_proof", "exact", "engine", "plants",
+           "scene", "board", "geometry", "corners", "methods", "numbers", "picture", "session",
            "reproducer", "compare", "issue_text", "playground")  # fmt: skip
 # In a function of their own, whose text goes into reproducers.
 DRAWERS = MODULES[:4]

@@ -130,10 +130,11 @@ export function compare(first, second, clauses) {
     if (one !== other) rows.push({what, first: String(one), second: String(other), why});
   };
   const text = (value) => JSON.stringify(value) ?? "none";
-  const asked = ["api", "samples", "cases", "seed", "properties"].filter(
-      (key) => text(first.asked[key]) !== text(second.asked[key]));
+  const [askedOf, askedOther] = [first, second].map(({asked: one}) => ({of: "coverage", ...one}));
+  const asked = ["of", "api", "samples", "cases", "seed", "properties"].filter(
+      (key) => text(askedOf[key]) !== text(askedOther[key]));
   for (const key of asked) {
-    add(`asked: ${key}`, text(first.asked[key]), text(second.asked[key]),
+    add(`asked: ${key}`, text(askedOf[key]), text(askedOther[key]),
         "they were not asked the same: differences below may come from that");
   }
   add("device", nameOf(first), nameOf(second));

@@ -1,5 +1,5 @@
 // The module finds what the command finds: of each rasterizer the same verdicts, witnesses and
-// shrunk cases.
+// shrunk cases. On a quiet machine: where a program is slow the command puts small cases first.
 // usage: node verdicts_test.mjs COMMAND BUILD_WEB [--cases N] [--subject NAME] [--property NAME]
 import { execFile } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

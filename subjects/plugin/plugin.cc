@@ -17,6 +17,7 @@
 
 #include "core/call_end.h"
 #include "core/error.h"
+#include "core/shown_outputs.h"
 #include "core/stated_edges.h"
 #include "core/target_size.h"
 #include "kit/rasterproof_plugin.h"
@@ -155,16 +156,12 @@ class PluginTarget {
     if (fragments && (needs_all || job.wants.depths)) {
       depths_.emplace(columns, rows_, kWordsOfADouble);
     }
-    if (info.fragments.shows_centroids && job.wants.centroids) {
-      centroids_.emplace(columns, rows_, 3 * kWordsOfADouble);
-    }
     wants_ = job.wants;
+    const Outputs shown = ShownOutputs(job, info);
     const std::size_t channels = job.scene->channels.size();
-    if (info.fragments.shows_values && job.wants.values && channels != 0) {
-      values_.emplace(columns, rows_, channels * kWordsOfADouble);
-      if (info.fragments.shows_derivatives && job.wants.derivatives)
-        derivatives_.emplace(columns, rows_, 2 * channels * kWordsOfADouble);
-    }
+    if (shown.centroids) centroids_.emplace(columns, rows_, 3 * kWordsOfADouble);
+    if (shown.values) values_.emplace(columns, rows_, channels * kWordsOfADouble);
+    if (shown.derivatives) derivatives_.emplace(columns, rows_, 2 * channels * kWordsOfADouble);
     view_ = {.size = sizeof(rasterproof_target),
              .samples = job.samples,
              .stride = shape.stride(),

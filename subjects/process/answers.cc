@@ -10,6 +10,7 @@
 
 #include "core/call_end.h"
 #include "core/quoted.h"
+#include "core/shown_outputs.h"
 #include "subjects/process/npy.h"
 #include "subjects/process/protocol.h"
 #include "subjects/process/text.h"
@@ -282,12 +283,7 @@ void AddPrimitiveIds(TextWriter& text, const Drawing& drawing, Outputs answered)
 }  // namespace
 
 Outputs Requested(const DrawJob& job, const SubjectInfo& info) {
-  if (!info.takes_wants) return kEverything;
-  Outputs wants = job.wants;
-  wants.centroids = wants.centroids && info.fragments.shows_centroids;
-  wants.values = wants.values && info.fragments.shows_values && !job.scene->channels.empty();
-  wants.derivatives = wants.values && wants.derivatives && info.fragments.shows_derivatives;
-  return wants;
+  return info.takes_wants ? ShownOutputs(job, info) : kEverything;
 }
 
 Outputs Answered(CoverageKind kind, Outputs wants) {

@@ -7,6 +7,7 @@
 
 #include "core/call_end.h"
 #include "core/error.h"
+#include "core/shown_outputs.h"
 
 namespace rasterproof::web {
 namespace {
@@ -19,12 +20,8 @@ void Add(std::string& bytes, const void* from, std::size_t size) {
 struct Wanted {
   Wanted(const DrawJob& job, const SubjectInfo& info) {
     if (info.coverage != CoverageKind::kFragments) return;
-    const FragmentInfo& shows = info.fragments;
-    wants = job.wants;
-    wants.centroids = wants.centroids && shows.shows_centroids;
-    channels = wants.values && shows.shows_values ? job.scene->channels.size() : 0;
-    wants.values = channels != 0;
-    wants.derivatives = wants.values && wants.derivatives && shows.shows_derivatives;
+    wants = ShownOutputs(job, info);
+    channels = wants.values ? job.scene->channels.size() : 0;
   }
 
   std::int32_t Bits() const {

@@ -15,6 +15,9 @@ const PROOF_NAMES = {
 
 const NAMES = {webgpu: "WebGPU", webgl2: "WebGL2"};
 
+/* Their answers have to fit into the engine's memory. */
+const MOST_CASES_OF_VALUES = 1000;
+
 let run = null;  // what was asked, and what came of it
 let port = null;  // where messages go
 
@@ -57,16 +60,26 @@ function kept() {
   }
 }
 
+/* Browsers keep 5 million characters of an address: what was kept before stays. */
+const MOST_KEPT = 3 << 20;
+
 function keep(bytes) {
   try {
     if (!bytes) return localStorage.removeItem(KEPT);
+    if (bytes.length > MOST_KEPT) return;
     localStorage.setItem(KEPT, JSON.stringify({asked: run.asked, saved: base64(bytes)}));
   } catch {
     // Then this run can't be resumed.
   }
 }
 
-const base64 = (bytes) => btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(""));
+function base64(bytes) {
+  let text = "";
+  for (let at = 0; at < bytes.length; at += 8192) {
+    text += String.fromCharCode(...bytes.subarray(at, at + 8192));
+  }
+  return btoa(text);
+}
 const bytesOf = (text) => Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
 
 function showDevice({info}) {
@@ -302,7 +315,8 @@ const RECEIVE = {
   saved: ({bytes}) => keep(bytes),
   stopped({bytes}) {
     keep(bytes);
-    setState("stopped", `Stopped.${bytes ? " Resume goes on where it was." : ""}`);
+    setState("stopped", kept() ? "Stopped. Resume goes on from what the browser kept last." :
+      "Stopped. It can't be resumed: the browser keeps nothing of it.");
   },
   done: showDone,
 };
@@ -434,7 +448,10 @@ async function copy() {
 byId("ask").addEventListener("submit", (event) => {
   event.preventDefault();
   const {of, api, samples, cases, seed} = Object.fromEntries(new FormData(event.target));
-  start({of, api, samples: Number(samples), cases: Number(cases), seed: Number(seed)});
+  start({
+    of, api, samples: Number(samples), seed: Number(seed),
+    cases: Math.min(cases, of === "values" ? MOST_CASES_OF_VALUES : Infinity),
+  });
 });
 byId("stop").addEventListener("click", () => port?.post({type: "stop"}));
 byId("resume").addEventListener("click", () => {
@@ -457,6 +474,6 @@ if (kept()) setState("idle", "A run was left before its end: Resume goes on wher
 const playing = parts.playground.playground(parts.engine.Engine, PRESETS);
 // For tests, and for whoever wants to look from the console.
 globalThis.rasterproof = {
-  modules, start, certificate, reportText, tell: (type) => port.post({type}), playing,
+  modules, start, certificate, asked: () => run.asked, reportText, tell: (type) => port.post({type}), playing,
   reproducerPage, compareFile,
 };

@@ -3,9 +3,10 @@
  * the worker, or in the page where a worker has no GPU, and speaks by messages.
  *
  * In: {type: "start", api, samples, cases, seed, [of: "coverage" | "values"], [properties], [infer],
- * [saved], [plant]}, "pause", "go", "stop"; for tests "lose". Out, in this order: "device" {info}, "proof" {record}, then "progress"
- * {done, of, draws, milliseconds} and "saved" {bytes} in turn, "again" when the cases are judged,
- * and at last "stopped" {bytes} or "done" {outcome, reason, result, models, losses, pauses, draws,
+ * [saved], [plant]}, "pause", "go", "stop"; for tests "lose". Out, in this order: "device" {info},
+ * "proof" {record}, of values "again", then "progress" {done, of, draws, milliseconds} and "saved"
+ * {bytes} in turn, "again" {isFirst} when a model is looked for by corners inside a viewport, and
+ * at last "stopped" {bytes} or "done" {outcome, reason, result, models, losses, pauses, draws,
  * milliseconds, bytes, picture}. models: {side, model, text} of viewports of two sizes, in pixels.
  * The engine's result stays as it is: whoever judges it again compares all of it.
  */
@@ -37,9 +38,9 @@ const MOST_CONDITIONS = 1024;
 const OF_VALUES = [
   "CentroidValuesStayWithinTheirError", "CoveredSamplesHoldNumbers",
   "DerivativesStayWithinTheirError", "EqualValuesStayEqual",
-  "FlatValuesComeFromTheProvokingVertex", "QuadDifferencesEqualDifferencesOfValues", "ValuesAlongAnEdgeDependOnItsEnds",
-  "ValuesAreMonotoneAlongRows", "ValuesStayInTheHull", "ValuesStayWithinTheirError",
-  "VerticesKeepTheirValues",
+  "FlatValuesComeFromTheProvokingVertex", "QuadDifferencesEqualDifferencesOfValues",
+  "ValuesAlongAnEdgeDependOnItsEnds", "ValuesAreMonotoneAlongRows", "ValuesStayInTheHull",
+  "ValuesStayWithinTheirError", "VerticesKeepTheirValues",
 ];
 
 /** Lets messages in. No timer: those of hidden tabs stand still. */

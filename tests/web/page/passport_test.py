@@ -39,8 +39,8 @@ class Passport(unittest.TestCase):
         self.page.open()
         self.page.value("localStorage.clear()")
 
-    def start(self, api="webgpu", samples=1, cases=200, plant=None):
-        asked = {"api": api, "samples": samples, "cases": cases, "seed": 1}
+    def start(self, api="webgpu", samples=1, cases=200, plant=None, **more):
+        asked = {"api": api, "samples": samples, "cases": cases, "seed": 1} | more
         if plant:
             asked["plant"] = plant
         self.page.value(f"rasterproof.start({json.dumps(asked)})")
@@ -278,6 +278,29 @@ class Passport(unittest.TestCase):
         self.assertLess(certificate["draws"], 400 + MODEL_DRAWS)
         self.assertEqual(certificate["result"]["subjects"][0]["properties"][0]["cases"], 400)
         self.assertTrue(self.page.value('document.getElementById("resume").disabled'))
+
+    def test_an_engine_that_ends_is_inconclusive(self):
+        self.start(properties=["EndsTheEngine"])
+        certificate = self.certificate()
+        self.assertEqual((certificate["outcome"], certificate["reason"], certificate["saved"]),
+                         ("inconclusive", "the engine ended", None))  # fmt: skip
+
+    def test_what_a_browser_cannot_keep_is_not_resumed(self):
+        self.page.value('Storage.prototype.setItem = () => { throw new Error("full"); }')
+        self.start(cases=400)
+        self.page.wait_until(RUNNING)
+        self.page.value('document.getElementById("stop").click()')
+        self.page.wait_for("stopped")
+        self.assertIn("can't be resumed", self.page.text("status"))
+        self.assertTrue(self.page.value('document.getElementById("resume").disabled'))
+
+    def test_values_are_asked_of_fewer_cases(self):
+        self.page.value("""document.querySelector("[name=of]").value = "values";
+                           document.querySelector("[name=cases]").value = "5000";
+                           document.getElementById("start").click();
+                           document.getElementById("stop").click()""")  # fmt: skip
+        self.page.wait_for("stopped", "done")
+        self.assertEqual(self.page.value("rasterproof.asked().cases"), 1000)
 
     def test_without_a_worker_the_page_draws_itself(self):
         self.page.value("Worker = undefined")

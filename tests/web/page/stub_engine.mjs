@@ -166,8 +166,9 @@ export class Engine {
   }
 
   /** Without a property the model alone is looked for. */
-  open({profile, cases = MODEL_CASES, seed = 1, subject}) {
-    this.#asked = {profile, cases, seed, subject: subject?.name ?? "subject"};
+  open({profile, cases = MODEL_CASES, seed = 1, subject, properties = []}) {
+    const ends = properties.includes("EndsTheEngine");
+    this.#asked = {profile, cases, seed, ends, subject: subject?.name ?? "subject"};
   }
 
   next() {
@@ -180,6 +181,7 @@ export class Engine {
   }
 
   answer(answers) {
+    this.#requireGoing();
     answers.forEach(({counts}, k) => {
       const {done, left, failure} = this.#state;
       if (failure) return;
@@ -200,7 +202,13 @@ export class Engine {
     return {done: this.#state.done, of: this.#asked.cases};
   }
 
+  /* One that ended answers nothing any more. */
+  #requireGoing() {
+    if (this.#asked.ends) throw new Error("the engine ended");
+  }
+
   save() {
+    this.#requireGoing();
     return new TextEncoder().encode(JSON.stringify(this.#state));
   }
 

@@ -97,7 +97,7 @@ function commonAnswers(first, second) {
 
 /** In one sentence, whether a device is legal, and what it breaks. */
 function standing(which, certificate) {
-  const {outcome, reason} = certificate;
+  const {outcome, reason, asked} = certificate;
   const name = `${which} (${nameOf(certificate)})`;
   if (outcome === "holds") return `${name} is legal, as far as it was asked.`;
   if (outcome !== "violated") {
@@ -107,7 +107,8 @@ function standing(which, certificate) {
   }
   const broken = subjectOf(certificate).failures.filter(({fails}) => fails)
       .map(({property}) => property);
-  return `${name} is not legal: it breaks ${broken.join(", ")}.`;
+  const said = asked.of === "values" ? "fails" : "is not legal: it breaks";
+  return `${name} ${said} ${broken.join(", ")}.`;
 }
 
 /** What a property's outcome rests on, where one of the two fails. */

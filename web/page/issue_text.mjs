@@ -41,8 +41,8 @@ export function issueText({asked, info, done, browser}) {
   lines.push(`### ${failure.property}`, "", `${failure.message}.`, "",
       `- Expected${place}: ${failure.expected}`, `- Drawn: ${failure.actual}`,
       `- Clause: ${failure.clause}`,
-      ...(asked.of === "values" ? ["- No specification states an error: what is far beyond " +
-          "rounding counts (docs/browser.md)"] : []), "",
+      ...(asked.of === "values" ? ["- No specification states an error: what usual forms do " +
+          "not exceed is allowed (docs/browser.md)"] : []), "",
       ...(picture ? [...pictureText(picture, failure.pixel ?? [picture.x, picture.y]), ""] : []),
       "<details><summary>The case, for <code>rasterproof replay</code></summary>", "",
       "```json", JSON.stringify(failure.case), "```", "", "</details>", "");

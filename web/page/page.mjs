@@ -15,7 +15,7 @@ const PROOF_NAMES = {
 
 const NAMES = {webgpu: "WebGPU", webgl2: "WebGL2"};
 
-/* Their answers have to fit into the engine's memory. */
+/* With one sample a pixel. Their answers have to fit into the engine's memory. */
 const MOST_CASES_OF_VALUES = 1000;
 
 let run = null;  // what was asked, and what came of it
@@ -247,6 +247,10 @@ const ORDER = ["violated", "inconclusive", "quality", "refused", "holds", "not e
 
 /* What no sentence forbids is a matter of quality. */
 const outcomeOf = ({outcome, fails}) => outcome === "violated" && !fails ? "quality" : outcome;
+/* Whether what fails is by how far numbers are off, alone. */
+const isOfError = (properties) => properties.every(({property, fails}) => {
+  return !fails || property.endsWith("WithinTheirError");
+});
 const isOfValues = () => run.asked.of === "values";
 
 function sentence(outcome, reason, result) {
@@ -259,10 +263,10 @@ function sentence(outcome, reason, result) {
     holds: "No sentence of the specification that was asked of this device is broken: " +
         `${counted(asked, "property", "properties")}, no failure.${lacks > 0 ?
           ` ${lacks} found less than usual quality, which no sentence forbids.` : ""}`,
-    violated: isOfValues() ?
-      `Pixels hold other numbers than its specification's formulas give: ${of} failed. The first ` +
-          "is shown below." :
-      `This device breaks what its specification says: ${of} failed. The first is pictured below.`,
+    violated: isOfError(properties) ?
+      `Pixels hold numbers that are further off than its specification's formulas in usual forms: ${
+        of} failed. No specification says how far is too far. The first is shown below.` :
+      `This device breaks what its specification says: ${of} failed. The first is shown below.`,
     inconclusive: result && reason ?
         `No property failed, and yet nothing is said to hold: ${reason}.` :
         "This device was not judged.",
@@ -450,7 +454,7 @@ byId("ask").addEventListener("submit", (event) => {
   const {of, api, samples, cases, seed} = Object.fromEntries(new FormData(event.target));
   start({
     of, api, samples: Number(samples), seed: Number(seed),
-    cases: Math.min(cases, of === "values" ? MOST_CASES_OF_VALUES : Infinity),
+    cases: Math.min(cases, of === "values" ? MOST_CASES_OF_VALUES / samples : Infinity),
   });
 });
 byId("stop").addEventListener("click", () => port?.post({type: "stop"}));

@@ -295,12 +295,13 @@ class Passport(unittest.TestCase):
         self.assertTrue(self.page.value('document.getElementById("resume").disabled'))
 
     def test_values_are_asked_of_fewer_cases(self):
-        self.page.value("""document.querySelector("[name=of]").value = "values";
-                           document.querySelector("[name=cases]").value = "5000";
-                           document.getElementById("start").click();
-                           document.getElementById("stop").click()""")  # fmt: skip
-        self.page.wait_for("stopped", "done")
-        self.assertEqual(self.page.value("rasterproof.asked().cases"), 1000)
+        for of, samples, cases in (("values", 1, 1000), ("values", 4, 250), ("coverage", 1, 5000)):
+            self.page.open()
+            self.page.value(f"""for (const [name, value] of Object.entries(
+                {{of: "{of}", samples: {samples}, cases: 5000}}))
+              document.querySelector(`[name=${{name}}]`).value = value;
+            document.getElementById("start").click();""")
+            self.assertEqual(self.page.value("rasterproof.asked().cases"), cases)
 
     def test_without_a_worker_the_page_draws_itself(self):
         self.page.value("Worker = undefined")

@@ -72,7 +72,8 @@ TEST(ShareWork, ThrowsTheFirstFailureByNumberAndDoesAllThatComeBeforeIt) {
       EXPECT_STREQ(error.what(), "2") << jobs;
     }
     EXPECT_TRUE(done.contains(0) && done.contains(1)) << jobs;
-    EXPECT_FALSE(done.contains(5)) << jobs;
+    // Of several, another may begin it between the throw and the note that is taken of it.
+    EXPECT_TRUE(jobs > 1 || !done.contains(5));
   }
 }
 

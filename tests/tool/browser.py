@@ -5,9 +5,10 @@ import shutil
 import subprocess
 import tempfile
 
-# WebGL2 and WebGPU without a GPU.
+# WebGL2 and WebGPU without a GPU; the page itself is put together without either.
 SWIFTSHADER = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--enable-unsafe-webgpu",
-               "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan")  # fmt: skip
+               "--use-webgpu-adapter=swiftshader", "--enable-features=Vulkan",
+               "--disable-gpu-compositing")  # fmt: skip
 
 
 class Browser:
@@ -76,11 +77,14 @@ class Browser:
                     return event["params"]
             self.events.append(self.message())
 
-    def open(self, url, width, dark=False, script=True):
+    def show_on(self, width, dark=False):
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=900,
                   deviceScaleFactor=1, mobile=False)  # fmt: skip
         scheme = {"name": "prefers-color-scheme", "value": "dark" if dark else "light"}
         self.call("Emulation.setEmulatedMedia", features=[scheme])
+
+    def open(self, url, width, dark=False, script=True):
+        self.show_on(width, dark)
         self.call("Emulation.setScriptExecutionDisabled", value=not script)
         self.events.clear()
         self.call("Page.navigate", url=url)

@@ -57,7 +57,19 @@ function snapped(x, {bits, form}) {
   const steps = 2 ** bits;
   const onGrid = form === "x" ? nearestEven(x * steps) :
                                 nearestEven(Math.fround(x - 0.5) * steps) + steps / 2;
-  return BigInt(onGrid);
+  return onGrid;
+}
+
+/** Of points of one grid, whose products are exact: 1 counter-clockwise, -1 clockwise, else 0. */
+function coversOnGrid([a, b, c], [x, y]) {
+  const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  const sign = -Math.sign(area);
+  for (const [from, to] of [[b, c], [c, a], [a, b]]) {
+    const [dx, dy] = [sign * (to[0] - from[0]), sign * (to[1] - from[1])];
+    const value = (x - from[0]) * dy - (y - from[1]) * dx;
+    if (value < 0 || (value === 0 && (dy < 0 || (dy === 0 && dx >= 0)))) return 0;
+  }
+  return sign;
 }
 
 /** Where a corner lies matters most at centres, and half way between two points of a grid. */
@@ -104,15 +116,15 @@ function expected(request, model) {
   const {width, height, samples, triangles} = request;
   const size = width * height * samples;
   const counts = new Int32Array(2 * size);
-  const unit = BigInt(2 ** (model.bits - 4));
+  const unit = 2 ** (model.bits - 4);
   for (let t = 0; t < triangles.length; t += 3) {
     const corners = [0, 1, 2].map((k) => corner(request, triangles[t + k], model));
     for (let k = 0; k < size; ++k) {
       const pixel = Math.floor(k / samples);
       const place = PLACES[samples][k % samples];
-      const column = BigInt(16 * (pixel % width) + place[0]) * unit;
-      const row = BigInt(16 * Math.floor(pixel / width) + place[1]) * unit;
-      const sign = covers(corners, [column, row]);
+      const column = (16 * (pixel % width) + place[0]) * unit;
+      const row = (16 * Math.floor(pixel / width) + place[1]) * unit;
+      const sign = coversOnGrid(corners, [column, row]);
       if (sign !== 0) ++counts[sign > 0 ? k : size + k];
     }
   }

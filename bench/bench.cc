@@ -199,6 +199,7 @@ void AddTimes(const Run& run, const Run& base, const BenchFamily& described, Ben
 enum class RivalChoice : std::uint8_t { kNone, kFew, kAll };
 
 bool IsRivalAsked(const library::rivals::Rival& rival, RivalChoice choice) {
+  if (rival == library::rivals::kTwin) return true;
   const std::string name = NameOf(rival);
   const bool is_among_few = name.starts_with("kernel-") || name == "spans-f64";
   return choice == RivalChoice::kAll || (choice == RivalChoice::kFew && is_among_few);
@@ -207,15 +208,13 @@ bool IsRivalAsked(const library::rivals::Rival& rival, RivalChoice choice) {
 // All that draw by vectors, and their floor.
 void AddKernels(kernels::Target target, kernels::Sink sink, RivalChoice choice,
                 std::vector<std::unique_ptr<Contender>>& contenders) {
-  for (const kernels::KernelMethod kernel : kernels::kKernelMethods) {
-    contenders.push_back(MakeKernelContender(kernel, target, sink));
-  }
+  contenders.push_back(MakeKernelContender(target, sink));
   for (const library::rivals::Rival& rival : library::rivals::kRivals) {
     if (!Draws(rival, target, sink) || !IsRivalAsked(rival, choice)) continue;
     contenders.push_back(MakeRivalContender(rival, target, sink));
   }
   contenders.push_back(MakeClipContender(target, sink));
-  contenders.push_back(MakeDividedContender(kernels::KernelMethod::kExact, target, sink));
+  contenders.push_back(MakeDividedContender(target, sink));
   const library::rivals::Rival scanline{library::rivals::Traversal::kSpans,
                                         library::rivals::Arithmetic::kFloat32Direct};
   if (choice != RivalChoice::kNone && Draws(scanline, target, sink)) {

@@ -81,15 +81,13 @@ Costs Measure(const kernels::KernelScene& window, kernels::Target target, kernel
       return Seconds(draw);
     };
     const std::array seconds{
-        time([&] { kernels::Draw(kernels::KernelMethod::kExact, target, window, surface); }),
-        time([&] {
+        time([&] { kernels::Draw(target, window, surface); }), time([&] {
           for (std::size_t k = 0; k < divided.size(); ++k) {
             const kernels::ClipVertex& v = deep.vertices[k];
             const float by = 1 / v.w;
             divided[k] = {v.x * by, v.y * by, v.z * by};
           }
-          kernels::Draw(kernels::KernelMethod::kExact, target,
-                        {divided, window.indices, window.width, window.height}, surface);
+          kernels::Draw(target, {divided, window.indices, window.width, window.height}, surface);
         }),
         time([&] { kernels::DrawClip(target, flat.View(kernels::NearPlane::kNone), surface); }),
         time([&] { kernels::DrawClip(target, deep.View(kernels::NearPlane::kNone), surface); }),

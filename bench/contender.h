@@ -110,11 +110,10 @@ class Contender {
 /// A method of the table, into counts of either facing.
 std::unique_ptr<Contender> MakeMethodContender(const reference::Method& method);
 
-/// A kernel.
+/// The exact kernel.
 ///
 /// Domain:     a target of SupportedTargets().
-std::unique_ptr<Contender> MakeKernelContender(library::kernels::KernelMethod method,
-                                               library::kernels::Target target,
+std::unique_ptr<Contender> MakeKernelContender(library::kernels::Target target,
                                                library::kernels::Sink sink);
 
 /// What kernels are measured against.
@@ -136,11 +135,10 @@ std::unique_ptr<Contender> MakeClipContender(library::kernels::Target target,
 std::unique_ptr<Contender> MakeHomogeneousContender(library::kernels::Target target,
                                                     library::kernels::Sink sink);
 
-/// A kernel of window space, or a rival, after a division by w in float32, done again in each draw.
+/// The exact kernel, or a rival, after a division by w in float32, done again in each draw.
 ///
 /// Domain:     as MakeKernelContender.
-std::unique_ptr<Contender> MakeDividedContender(library::kernels::KernelMethod method,
-                                                library::kernels::Target target,
+std::unique_ptr<Contender> MakeDividedContender(library::kernels::Target target,
                                                 library::kernels::Sink sink);
 std::unique_ptr<Contender> MakeDividedContender(const library::rivals::Rival& rival,
                                                 library::kernels::Target target,

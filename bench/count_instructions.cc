@@ -29,13 +29,12 @@ __attribute__((noinline)) void Counted(const Scene& scene, const reference::Meth
 
 __attribute__((noinline)) void Counted(const FamilyInput& family,
                                        const std::optional<library::rivals::Rival>& rival,
-                                       library::kernels::KernelMethod kernel,
                                        library::kernels::Surface& surface) {
   const auto target = library::rivals::WidestTarget();
   if (rival) {
     Draw(*rival, target, family.KernelScene(), surface);
   } else {
-    Draw(kernel, target, family.KernelScene(), surface);
+    library::kernels::Draw(target, family.KernelScene(), surface);
   }
 }
 
@@ -57,10 +56,7 @@ int Run(std::string_view name, std::string_view family_name) {
   const auto kind = std::ranges::find(kinds, family_name, &FamilyKind::name);
   const reference::Method* const method = reference::FindMethod(name);
   const auto rival = library::rivals::FindRival(name);
-  constexpr std::string_view kExact = "kernel-exact";
-  const bool is_vectors = rival || name.starts_with(kExact);
-  const auto kernel = name == kExact ? library::kernels::KernelMethod::kExact
-                                     : library::kernels::KernelMethod::kExactUnsafe;
+  const bool is_vectors = rival || name == "kernel-exact";
   if ((method == nullptr && !is_vectors) || kind == kinds.end()) {
     std::fputs("count_instructions: give METHOD and FAMILY as rasterproof bench names them\n",
                stderr);
@@ -71,7 +67,7 @@ int Run(std::string_view name, std::string_view family_name) {
     if (!family.KernelsDrawIt()) return 4;
     library::kernels::Surface surface(library::kernels::Sink::kMask, family.scene.width,
                                       family.scene.height);
-    Counted(family, rival, kernel, surface);
+    Counted(family, rival, surface);
     std::printf("%zu %zu\n", family.scene.triangles.size(), RowsOf(family.scene));
     return 0;
   }

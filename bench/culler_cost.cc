@@ -101,8 +101,7 @@ Turns TakeTurns(Culler& culler, const kernels::KernelScene& scene, kernels::Targ
     culler.Clear();
     const double theirs = Seconds([&] { culler.Draw(); });
     surface.Clear();
-    const double ours =
-        Seconds([&] { kernels::Draw(kernels::KernelMethod::kExact, target, scene, surface); });
+    const double ours = Seconds([&] { kernels::Draw(target, scene, surface); });
     turns.theirs = std::min(turns.theirs, theirs);
     turns.ours = std::min(turns.ours, ours);
     ratio = ours / theirs;

@@ -35,9 +35,9 @@ void Describe(std::string summary, std::string_view traversal, std::string_view 
   method.arithmetic = arithmetic;
 }
 
-KernelDrawing DrawingOf(kernels::KernelMethod kernel, kernels::Target target) {
+KernelDrawing ExactDrawing(kernels::Target target) {
   return [=](const kernels::KernelScene& scene, kernels::Surface& surface) {
-    kernels::Draw(kernel, target, scene, surface);
+    kernels::Draw(target, scene, surface);
   };
 }
 
@@ -50,18 +50,12 @@ KernelDrawing DrawingOf(const rivals::Rival& rival, kernels::Target target) {
 // A kernel of window space, or a rival of it.
 class KernelContender final : public SurfaceContender {
  public:
-  KernelContender(kernels::KernelMethod kernel, kernels::Target target, kernels::Sink sink)
-      : SurfaceContender(target, sink), draw_(DrawingOf(kernel, target)) {
-    const bool is_exact = kernel == kernels::KernelMethod::kExact;
-    method_.name = "kernel-" + std::string(NameOf(kernel));
-    if (is_exact) {
-      Describe("crossings of edges with rows, decided exactly", "spans", "exact", method_);
-    } else {
-      Describe("the exact kernel with what makes it exact left out", "spans", "exact, unchecked",
-               method_);
-    }
-    method_.kind = is_exact ? "exact" : "float32";
-    method_.is_proved = is_exact;
+  KernelContender(kernels::Target target, kernels::Sink sink)
+      : SurfaceContender(target, sink), draw_(ExactDrawing(target)) {
+    method_.name = "kernel-exact";
+    Describe("crossings of edges with rows, decided exactly", "spans", "exact", method_);
+    method_.kind = "exact";
+    method_.is_proved = true;
     DescribeModel(double{std::numeric_limits<float>::max()});
   }
 
@@ -252,9 +246,8 @@ class KnownContender final : public SurfaceContender {
 
 }  // namespace
 
-std::unique_ptr<Contender> MakeKernelContender(kernels::KernelMethod method, kernels::Target target,
-                                               kernels::Sink sink) {
-  return std::make_unique<KernelContender>(method, target, sink);
+std::unique_ptr<Contender> MakeKernelContender(kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<KernelContender>(target, sink);
 }
 
 std::unique_ptr<Contender> MakeRivalContender(const rivals::Rival& rival, kernels::Target target,
@@ -270,10 +263,9 @@ std::unique_ptr<Contender> MakeHomogeneousContender(kernels::Target target, kern
   return std::make_unique<HomogeneousContender>(target, sink);
 }
 
-std::unique_ptr<Contender> MakeDividedContender(kernels::KernelMethod method,
-                                                kernels::Target target, kernels::Sink sink) {
-  return std::make_unique<DividedContender>(
-      DrawingOf(method, target), KernelContender(method, target, sink).method(), target, sink);
+std::unique_ptr<Contender> MakeDividedContender(kernels::Target target, kernels::Sink sink) {
+  return std::make_unique<DividedContender>(ExactDrawing(target),
+                                            KernelContender(target, sink).method(), target, sink);
 }
 
 std::unique_ptr<Contender> MakeDividedContender(const rivals::Rival& rival, kernels::Target target,

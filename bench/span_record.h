@@ -13,7 +13,7 @@ namespace rasterproof::bench {
 class SpanRecord {
  public:
   SpanRecord() = default;
-  /// What kExact covers of the scene.
+  /// What the exact kernel covers of the scene.
   SpanRecord(library::kernels::Target target, const library::kernels::KernelScene& scene);
   /// What the kernel of clip space covers.
   SpanRecord(library::kernels::Target target, const library::kernels::ClipScene& scene);

@@ -101,10 +101,7 @@ int Run(int argc, char** argv) {
     const kernels::KernelScene scene = family.KernelScene();
     kernels::Surface surface(sink, scene.width, scene.height);
     std::vector<Runner> runners;
-    for (const auto kernel : kernels::kKernelMethods) {
-      runners.push_back({"kernel-" + std::string(NameOf(kernel)),
-                         [&, kernel] { kernels::Draw(kernel, target, scene, surface); }});
-    }
+    runners.push_back({"kernel-exact", [&] { kernels::Draw(target, scene, surface); }});
     for (const rivals::Rival& rival : rivals::kRivals) {
       if (!Draws(rival, target, sink)) continue;
       runners.push_back({NameOf(rival), [&, rival] { Draw(rival, target, scene, surface); }});

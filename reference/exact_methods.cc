@@ -29,7 +29,7 @@ Method ExactMethod(std::string_view name, std::string_view summary, decltype(Sta
 // What float32 holds goes to the exact kernel: the same crossings, many edges at a time.
 bool DrawWhole(const Scene& scene, const RasterOptions& options, CoverageCounts& counts) {
   if (!KernelsPay(scene) || !KernelsTake(scene)) return false;
-  DrawByKernel(library::kernels::KernelMethod::kExact, scene, options, counts);
+  DrawByKernel(scene, options, counts);
   return true;
 }
 

@@ -81,11 +81,9 @@ void DrawAndAdd(const Scene& scene, const DrawOptions& options, CoverageCounts& 
 
 }  // namespace
 
-void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
-                  const DrawOptions& options, CoverageCounts& counts) {
+void DrawByKernel(const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
   DrawAndAdd(scene, options, counts, [&](const auto& kernel_scene, auto& surface) {
-    library::kernels::Draw(method, library::kernels::SupportedTargets().back(), kernel_scene,
-                           surface);
+    library::kernels::Draw(library::kernels::SupportedTargets().back(), kernel_scene, surface);
   });
 }
 

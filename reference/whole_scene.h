@@ -21,12 +21,11 @@ bool ClipKernelTakes(const Scene& scene);
 /// window space.
 bool KernelsPay(const Scene& scene);
 
-/// Adds the scene's coverage by a kernel to `counts`, by the machine's widest vectors: the counts
-/// are those of every target. Triangles with a NaN or an infinity cover nothing.
+/// Adds the scene's coverage by the exact kernel to `counts`, by the machine's widest vectors: the
+/// counts are those of every target. Triangles with a NaN or an infinity cover nothing.
 ///
 /// Domain:     KernelsTake(scene); counts of the scene's size, one sample a pixel.
-void DrawByKernel(library::kernels::KernelMethod method, const Scene& scene,
-                  const DrawOptions& options, CoverageCounts& counts);
+void DrawByKernel(const Scene& scene, const DrawOptions& options, CoverageCounts& counts);
 
 /// The same by what kernels are measured against.
 ///

@@ -1,4 +1,4 @@
-// kExact: one decision per edge and row, none per pixel; exact for every finite float32.
+// The exact kernel: one decision per edge and row, none per pixel; exact for every finite float32.
 #ifndef RASTERPROOF_LIBRARY_KERNELS_EXACT_SPANS_H_
 #define RASTERPROOF_LIBRARY_KERNELS_EXACT_SPANS_H_
 

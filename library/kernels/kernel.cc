@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -84,10 +83,6 @@ const KernelTable& TableOf([[maybe_unused]] Target target) {
   return kScalarKernels;
 }
 
-KernelFunction FunctionOf(KernelMethod method, Target target, Sink sink) {
-  return TableOf(target).draw[static_cast<std::size_t>(method)][static_cast<std::size_t>(sink)];
-}
-
 void RequireSupported(Target target) {
   if (std::ranges::find(SupportedTargets(), target) != SupportedTargets().end()) return;
   throw InputError("target " + std::string(NameOf(target)), "this machine does not run it",
@@ -149,11 +144,6 @@ std::string_view NameOf(Target target) {
 std::string_view NameOf(Sink sink) {
   constexpr std::array<std::string_view, 5> kNames{"count8", "facing", "mask", "id", "depth"};
   return kNames[static_cast<std::size_t>(sink)];
-}
-
-std::string_view NameOf(KernelMethod method) {
-  constexpr std::array<std::string_view, 2> kNames{"exact", "exact-unsafe"};
-  return kNames[static_cast<std::size_t>(method)];
 }
 
 std::span<const Target> SupportedTargets() {
@@ -224,14 +214,13 @@ void Attach(Surface& surface, KernelView& view) {
   view.pitch = surface.pitch();
 }
 
-void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface) {
+void Draw(Target target, const KernelScene& scene, Surface& surface) {
   RequireSupported(target);
   RequireSize(surface, scene.width, scene.height);
-  std::optional<FloatEnvironment> sane;  // the guesses' errors are those of rounding to nearest
-  if (method == KernelMethod::kExact) sane.emplace();
+  const FloatEnvironment sane;  // the guesses' errors are those of rounding to nearest
   KernelView view = ViewOf(scene);
   Attach(surface, view);
-  Draw(target, FunctionOf(method, target, surface.sink()), view);
+  DrawExact(target, surface.sink(), view);
 }
 
 void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
@@ -244,7 +233,7 @@ void DrawClip(Target target, const ClipScene& scene, Surface& surface) {
 }
 
 void DrawExact(Target target, Sink sink, KernelView view) {
-  Draw(target, FunctionOf(KernelMethod::kExact, target, sink), view);
+  Draw(target, TableOf(target).exact[static_cast<std::size_t>(sink)], view);
 }
 
 void DrawClip(Target target, Sink sink, KernelView view) {

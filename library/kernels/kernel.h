@@ -1,8 +1,9 @@
-// Fast rasterizers of indexed float32 triangles: one method, sink and SIMD target at a time.
+// Fast exact rasterizers of indexed float32 triangles: one sink and SIMD target at a time.
 //
-// kExact is exact, and kExactUnsafe its twin without what makes it so. What they are measured
-// against is in library/rivals. What each draws, pixel for pixel and by every target,
-// tests/library/kernel_definitions.h defines in plain loops.
+// Crossings of edges with rows decide: top-left, watertight, every finite float32. Both windings
+// are drawn, triangles without area are not. What they are measured against is in library/rivals.
+// What they draw, pixel for pixel and by every target, tests/library/kernel_definitions.h defines
+// in plain loops.
 #ifndef RASTERPROOF_LIBRARY_KERNELS_KERNEL_H_
 #define RASTERPROOF_LIBRARY_KERNELS_KERNEL_H_
 
@@ -75,17 +76,9 @@ enum class Sink : std::uint8_t {
 inline constexpr std::array kSinks{Sink::kCount8, Sink::kFacing, Sink::kMask, Sink::kId,
                                    Sink::kDepth};
 
-/// How coverage is found. Both windings are drawn, triangles without area are not.
-enum class KernelMethod : std::uint8_t {
-  kExact,       ///< crossings of edges with rows, exact: top-left, watertight, every finite float32
-  kExactUnsafe  ///< the same code with what makes it exact left out: what exactness costs
-};
-inline constexpr std::array kKernelMethods{KernelMethod::kExact, KernelMethod::kExactUnsafe};
-
-/// "avx512", "facing", "exact-unsafe".
+/// "avx512", "facing".
 std::string_view NameOf(Target target);
 std::string_view NameOf(Sink sink);
-std::string_view NameOf(KernelMethod method);
 
 /// The targets that this machine runs, least first. Never empty.
 std::span<const Target> SupportedTargets();
@@ -130,10 +123,10 @@ KernelView ViewOf(const ClipScene& scene);
 void Attach(Surface& surface, KernelView& view);
 
 /// Draws the scene onto what the surface holds already. Allocates nothing.
-/// kExact draws the same in whatever floating-point mode its caller left.
+/// Draws the same in whatever floating-point mode its caller left.
 ///
 /// Domain:     a target of SupportedTargets(); a surface of the scene's size. InputError otherwise.
-void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface& surface);
+void Draw(Target target, const KernelScene& scene, Surface& surface);
 
 /// Draws the scene onto what the surface holds already: covered is a pixel whose centre the
 /// triangle covers as the eye sees it, vertices at or behind the eye or not, if its z is not before
@@ -148,7 +141,7 @@ void Draw(KernelMethod method, Target target, const KernelScene& scene, Surface&
 /// Domain:     a target of SupportedTargets(); a surface of the scene's size. InputError otherwise.
 void DrawClip(Target target, const ClipScene& scene, Surface& surface);
 
-/// Draws rows first_row to height - 1 by kExact into memory of the caller's. Allocates nothing.
+/// Draws rows first_row to height - 1 into memory of the caller's. Allocates nothing.
 ///
 /// Domain:     a target of SupportedTargets(); what the view names; room as sinks.h wants it: 7
 ///             rows below the last one drawn, and 64 pixels behind.
@@ -157,7 +150,7 @@ void DrawExact(Target target, Sink sink, KernelView view);
 /// The same by the kernel of clip space: view.near_plane, and vertices of four coordinates.
 void DrawClip(Target target, Sink sink, KernelView view);
 
-/// Calls view.on_span with what kExact covers, triangle by triangle, each from its top row down. It
+/// Calls view.on_span with what Draw() covers, triangle by triangle, each from its top row down. It
 /// may throw.
 void DrawExactSpans(Target target, KernelView view);
 void DrawClipSpans(Target target, KernelView view);

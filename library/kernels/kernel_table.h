@@ -60,10 +60,10 @@ struct KernelView {
   std::uint64_t* full_tiles;
   std::ptrdiff_t full_pitch;
 
-  std::uint64_t* tiers;  ///< kExact counts here: rows decided exactly, by expansions, edges of
+  std::uint64_t* tiers;  ///< Draw() counts here: rows decided exactly, by expansions, edges of
                          ///< triangles beyond its guesses
 
-  // kExact and clip kernels alone: rows above this one are not drawn.
+  // Exact and clip kernels alone: rows above this one are not drawn.
   int first_row;
   NearPlane near_plane;  ///< clip kernels alone
   // exact_spans and clip_spans alone, which have no planes: what is called with every span, in
@@ -115,8 +115,8 @@ using KernelFunction = void (*)(const KernelView&);
 
 /// Of one target.
 struct KernelTable {
-  KernelFunction draw[2][5];  ///< by KernelMethod and Sink
-  KernelFunction fill[5];     ///< by Sink: see Fill()
+  KernelFunction exact[5];  ///< by Sink
+  KernelFunction fill[5];   ///< by Sink: see Fill()
   KernelFunction exact_spans;
   KernelFunction clip[5];  ///< by Sink
   KernelFunction clip_spans;

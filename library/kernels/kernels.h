@@ -22,10 +22,7 @@ namespace rasterproof::library::kernels::HWY_NAMESPACE {
 // NOLINTEND(bugprone-macro-parentheses)
 
 constexpr KernelTable kKernels = {
-    {
-        RASTERPROOF_KERNEL_ROW(DrawExact),
-        RASTERPROOF_KERNEL_ROW(DrawExactUnsafe),
-    },
+    RASTERPROOF_KERNEL_ROW(DrawExact),
     {&FillCount8, &FillFacing, &FillMask, &FillId, &FillDepth},
     &DrawExact<SpanSink>,
     {&DrawClip<PixelSink<Count8>>, &DrawClip<PixelSink<Facing>>, &DrawClip<MaskSink>,

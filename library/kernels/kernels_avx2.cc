@@ -1,4 +1,4 @@
-// The kernels compiled for Target::kAvx2: flags in reference/CMakeLists.txt.
+// The kernels compiled for Target::kAvx2: flags in library/CMakeLists.txt.
 #include "library/kernels/kernel_table.h"
 #include "library/kernels/kernels.h"
 #include "library/kernels/vectors.h"

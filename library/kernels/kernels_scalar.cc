@@ -1,4 +1,4 @@
-// The kernels compiled for Target::kScalar: flags in reference/CMakeLists.txt.
+// The kernels compiled for Target::kScalar: flags in library/CMakeLists.txt.
 #define HWY_COMPILE_ONLY_SCALAR
 #include "library/kernels/kernel_table.h"
 #include "library/kernels/kernels.h"

@@ -40,7 +40,7 @@ class KnownPlanes {
   Block block_ = {};
 };
 
-/// Writes view.known. Small triangles and rows go into the sink as kExact's do.
+/// Writes view.known. Small triangles and rows go into the sink as those of the exact kernel do.
 template <class Sink>
 void DrawKnown(const KernelView& view) {
   Sink sink(view);

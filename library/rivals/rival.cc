@@ -54,6 +54,7 @@ void RequireDrawn(bool is_drawn, const std::string& name, Target target,
 
 // Of the rivals that were kernels before there was a frame, which subjects are called by.
 std::string_view OldNameOf(const Rival& rival) {
+  if (rival == kTwin) return "kernel-exact-unsafe";
   if (rival.traversal == Traversal::kRows) return "kernel-incremental";
   if (rival.traversal == Traversal::kMaskTiles) return "kernel-mask-rows";
   const bool is_spans = rival.traversal == Traversal::kSpans;
@@ -64,14 +65,15 @@ std::string_view OldNameOf(const Rival& rival) {
 }
 
 std::string_view InWords(Arithmetic arithmetic) {
-  constexpr std::array<std::string_view, 8> kWords{"float32 from an end",
+  constexpr std::array<std::string_view, 9> kWords{"float32 from an end",
                                                    "float32 A x + B y + C",
                                                    "float32 stepped",
                                                    "float64 from an end",
                                                    "float64 A x + B y + C",
                                                    "float64 stepped",
                                                    "vertices on 1/256 pixel, 32 bits a tile",
-                                                   "vertices on 1/256 pixel, 64 bits"};
+                                                   "vertices on 1/256 pixel, 64 bits",
+                                                   "the exact kernel without its checks"};
   return kWords[static_cast<std::size_t>(arithmetic)];
 }
 
@@ -83,8 +85,9 @@ std::string_view NameOf(Traversal traversal) {
 }
 
 std::string_view NameOf(Arithmetic arithmetic) {
-  constexpr std::array<std::string_view, 8> kNames{
-      "f32", "f32-affine", "f32-stepped", "f64", "f64-affine", "f64-stepped", "i32", "i64"};
+  constexpr std::array<std::string_view, 9> kNames{"f32", "f32-affine", "f32-stepped",
+                                                   "f64", "f64-affine", "f64-stepped",
+                                                   "i32", "i64",        "exact, unchecked"};
   return kNames[static_cast<std::size_t>(arithmetic)];
 }
 
@@ -143,6 +146,8 @@ void Draw(const Rival& rival, Target target, const kernels::KernelScene& scene,
   RequireDrawn(draw != nullptr, NameOf(rival), target, surface, scene.width, scene.height);
   kernels::KernelView view = kernels::ViewOf(scene);
   kernels::Attach(surface, view);
+  std::array<std::uint64_t, 3> tiers{};
+  view.tiers = tiers.data();
   std::vector<std::uint32_t> words;
   std::vector<std::uint64_t> full;
   if (rival.traversal == Traversal::kMaskTiles) {

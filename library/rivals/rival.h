@@ -2,8 +2,8 @@
 // best speed it can have.
 //
 // A rival is a traversal, an arithmetic and a sink. Its traversals share their source, so that two
-// rivals can differ in one thing alone. What each one draws, pixel for pixel and by every target,
-// tests/library/rival_definitions.h defines in plain loops. Users' programs link none of them.
+// rivals can differ in one thing alone. What each one but kTwin draws, pixel for pixel and by every
+// target, tests/library/rival_definitions.h defines in plain loops. Users' programs link none.
 #ifndef RASTERPROOF_LIBRARY_RIVALS_RIVAL_H_
 #define RASTERPROOF_LIBRARY_RIVALS_RIVAL_H_
 
@@ -35,8 +35,9 @@ enum class Arithmetic : std::uint8_t {
   kFloat64Direct,
   kFloat64Affine,
   kFloat64Stepped,
-  kInt32,  ///< vertices snapped to 1/256 px, within kFixedRange; 32 bits within a tile
-  kInt64   ///< snapped likewise, 64 bits; spans: slopes and crossings of 32 bits after the point
+  kInt32,     ///< vertices snapped to 1/256 px, within kFixedRange; 32 bits within a tile
+  kInt64,     ///< snapped likewise, 64 bits; spans: slopes and crossings of 32 bits after the point
+  kUnchecked  ///< spans: the exact kernel's own code with what makes it exact left out
 };
 
 /// Rivals that snap skip triangles with a coordinate beyond this, in pixels.
@@ -49,7 +50,8 @@ struct Rival {
   friend bool operator==(const Rival&, const Rival&) = default;
 };
 
-inline constexpr std::array<Rival, 17> kRivals{{
+inline constexpr std::array<Rival, 18> kRivals{{
+    {Traversal::kSpans, Arithmetic::kUnchecked},
     {Traversal::kRows, Arithmetic::kFloat32Stepped},
     {Traversal::kTiles, Arithmetic::kFloat32Direct},
     {Traversal::kTiles, Arithmetic::kFloat32Affine},
@@ -74,6 +76,10 @@ constexpr bool Snaps(Arithmetic arithmetic) {
   return arithmetic == Arithmetic::kInt32 || arithmetic == Arithmetic::kInt64;
 }
 
+/// The exact kernel's twin, which shows what exactness costs. It states nothing: what it draws at
+/// edges may depend on the target.
+inline constexpr Rival kTwin = kRivals.front();
+
 /// "tiles"; "f64-affine".
 std::string_view NameOf(Traversal traversal);
 std::string_view NameOf(Arithmetic arithmetic);
@@ -87,9 +93,9 @@ std::string SummaryOf(const Rival& rival);
 /// Of that name.
 std::optional<Rival> FindRival(std::string_view name);
 
-/// Whether there is such a kernel: kMask and kFacing of all rivals, the other sinks of spans in
-/// float32 and float64, direct; of kMaskTiles kMask alone. Of instruction sets kScalar, kAvx2 and
-/// kAvx512.
+/// Whether there is such a kernel: kMask and kFacing of all rivals, the other sinks of kTwin and of
+/// spans in float32 and float64, direct; of kMaskTiles kMask alone. Of instruction sets kScalar,
+/// kAvx2 and kAvx512.
 bool Draws(const Rival& rival, kernels::Target target, kernels::Sink sink);
 
 /// The widest of this machine's that rivals are compiled for.

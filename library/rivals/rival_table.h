@@ -9,7 +9,7 @@ namespace rasterproof::library::rivals {
 
 /// By place in kRivals and by Sink; nullptr where there is no such kernel.
 struct RivalTable {
-  kernels::KernelFunction draw[17][5];
+  kernels::KernelFunction draw[18][5];
   kernels::KernelFunction homogeneous[5];  ///< of clip space, by Sink
 };
 

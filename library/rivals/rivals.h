@@ -3,6 +3,7 @@
 #define RASTERPROOF_LIBRARY_RIVALS_RIVALS_H_
 
 #include "core/own_precision.h"
+#include "library/kernels/exact_spans.h"
 #include "library/kernels/sinks.h"
 #include "library/kernels/vectors.h"
 #include "library/rivals/fixed_spans.h"
@@ -28,6 +29,7 @@ namespace rasterproof::library::kernels::HWY_NAMESPACE {
 
 constexpr rivals::RivalTable kRivalKernels = {
     {
+        RASTERPROOF_FULL_RIVAL_ROW(DrawExactUnsafe, ),
         RASTERPROOF_RIVAL_ROW(DrawIncremental, ),
         RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kDirect, ),
         RASTERPROOF_RIVAL_ROW(DrawTiles, float, Form::kAffine, ),

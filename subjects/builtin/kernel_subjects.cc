@@ -3,14 +3,12 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/error.h"
 #include "core/float_environment.h"
-#include "library/kernels/kernel.h"
 #include "library/rivals/rival.h"
 #include "reference/plan.h"
 #include "reference/proved.h"
@@ -26,25 +24,24 @@ struct RivalRow {
   std::string_view name;
   std::string_view summary;
 };
-constexpr std::array<RivalRow, 4> kRivals{{
+constexpr std::array<RivalRow, 5> kRivals{{
     {"kernel-incremental", "float32 edge functions stepped from the box's corner, by vectors"},
     {"kernel-tiles", "float32 half-spaces: 8x8 tiles accepted, rejected or tested by pixel"},
     {"kernel-fixed-tiles", "the same in 28.8 fixed point: exact by its own model"},
     {"kernel-scanline", "float32 crossings of edges with rows, by vectors"},
+    {"kernel-exact-unsafe", "spans-exact without what makes it exact"},
 }};
 
-constexpr std::string_view kUnsafe = "kernel-exact-unsafe";
 constexpr std::string_view kClipKernel = "kernel-clip";
 
 class KernelSubject final : public Subject {
  public:
-  KernelSubject(std::string_view name, std::string_view summary, const Rival* rival) {
+  KernelSubject(std::string_view name, std::string_view summary, const Rival& rival)
+      : rival_(rival) {
     info_.name = name;
     info_.summary = summary;
     info_.profile.coordinate_limit = double{std::numeric_limits<float>::max()};
-    if (rival == nullptr) return;
-    rival_ = *rival;
-    if (Snaps(rival->arithmetic)) {
+    if (Snaps(rival.arithmetic)) {
       info_.profile.name = name;
       info_.profile.snap = {8, SnapRule::kNearestEven};
       info_.profile.coordinate_limit = double{library::rivals::kFixedRange};
@@ -59,15 +56,11 @@ class KernelSubject final : public Subject {
       throw InputError("scene " + scene.name, info_.name + " computes in float32 and window space",
                        "use spans-exact");
     }
-    if (rival_) {
-      reference::DrawByRival(*rival_, scene, options, counts);
-    } else {
-      reference::DrawByKernel(library::kernels::KernelMethod::kExactUnsafe, scene, options, counts);
-    }
+    reference::DrawByRival(rival_, scene, options, counts);
   }
 
  private:
-  std::optional<Rival> rival_;  // nothing: the exact kernel's twin
+  Rival rival_;
   SubjectInfo info_;
 };
 
@@ -125,7 +118,6 @@ class PlannedSubject final : public Subject {
 std::vector<std::string> KernelSubjectNames() {
   std::vector<std::string> names;
   for (const RivalRow& row : kRivals) names.emplace_back(row.name);
-  names.emplace_back(kUnsafe);
   names.emplace_back(kClipKernel);
   names.emplace_back("planned");
   return names;
@@ -134,12 +126,7 @@ std::vector<std::string> KernelSubjectNames() {
 std::unique_ptr<Subject> MakeKernelSubject(std::string_view name) {
   for (const RivalRow& row : kRivals) {
     if (row.name != name) continue;
-    const Rival rival = *library::rivals::FindRival(name);
-    return std::make_unique<KernelSubject>(name, row.summary, &rival);
-  }
-  if (name == kUnsafe) {
-    return std::make_unique<KernelSubject>(name, "spans-exact without what makes it exact",
-                                           nullptr);
+    return std::make_unique<KernelSubject>(name, row.summary, *library::rivals::FindRival(name));
   }
   if (name == kClipKernel) return std::make_unique<ClipKernelSubject>();
   if (name == "planned") return std::make_unique<PlannedSubject>();

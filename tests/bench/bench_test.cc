@@ -236,8 +236,7 @@ TEST(RunFamily, DrawsTheLeastRoundsThoughItsTimeIsOver) {
 
 // A target of the family before is none of this one's.
 TEST(KernelContender, DrawsAloneOnTheLoadedFamilysTarget) {
-  const auto kernel = MakeKernelContender(library::kernels::KernelMethod::kExact,
-                                          library::kernels::SupportedTargets().front(),
+  const auto kernel = MakeKernelContender(library::kernels::SupportedTargets().front(),
                                           library::kernels::Sink::kFacing);
   for (const std::string_view name : {"fan", "walks"}) {
     const auto kinds = FamilyKinds();

@@ -128,8 +128,7 @@ const BenchParameter& ParameterOf(const BenchResult& result, const BenchCurve& c
 TEST(RunCurves, MeasuresMasksOverTheTargetAndTheLibraryOverThreads) {
   std::vector<std::unique_ptr<Contender>> contenders;
   for (const auto sink : {library::kernels::Sink::kMask, library::kernels::Sink::kFacing}) {
-    contenders.push_back(MakeKernelContender(library::kernels::KernelMethod::kExact,
-                                             library::kernels::Target::kScalar, sink));
+    contenders.push_back(MakeKernelContender(library::kernels::Target::kScalar, sink));
   }
   CurveOptions options;
   options.parameters = {"target", "threads"};

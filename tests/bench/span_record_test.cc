@@ -36,7 +36,7 @@ TEST(SpanRecord, WritesWhatTheExactKernelDraws) {
       const SpanRecord record(target, scene);
       for (const kernels::Sink sink : kernels::kSinks) {
         kernels::Surface drawn(sink, scene.width, scene.height);
-        kernels::Draw(kernels::KernelMethod::kExact, target, scene, drawn);
+        kernels::Draw(target, scene, drawn);
         kernels::Surface written(sink, scene.width, scene.height);
         kernels::DrawKnown(target, record.View(), scene, written);
         EXPECT_EQ(Differing(written, drawn), 0)

@@ -356,8 +356,7 @@ TEST(ClipKernel, EqualsTheExactKernelWhereEveryWIsOne) {
       owned.indices.push_back(static_cast<std::uint32_t>(k));
     }
     Surface window(Sink::kFacing, owned.width, owned.height);
-    Draw(KernelMethod::kExact, Target::kScalar,
-         {vertices, owned.indices, owned.width, owned.height}, window);
+    Draw(Target::kScalar, {vertices, owned.indices, owned.width, owned.height}, window);
     for (const Target target : SupportedTargets()) {
       Surface clip(Sink::kFacing, owned.width, owned.height);
       DrawClip(target, owned.View(), clip);

@@ -81,7 +81,7 @@ void ExpectExact(const Scene& scene, const std::string& name) {
   for (const Target target : SupportedTargets()) {
     const std::string where = name + " " + std::string(NameOf(target));
     Surface surface(Sink::kFacing, scene.width, scene.height);
-    Draw(KernelMethod::kExact, target, given.View(scene), surface);
+    Draw(target, given.View(scene), surface);
     ExpectCounts(surface, expected, where);
     surface.Clear();
     const int middle = scene.height / 2;
@@ -181,12 +181,12 @@ void ExpectExactEverywhere(const Scene& scene, Crews& crews, const std::string& 
   const CoverageCounts expected = exact::Coverage(scene, Profile{});
   for (const Sink sink : kSinks) {
     Surface scalar(sink, scene.width, scene.height);
-    Draw(KernelMethod::kExact, Target::kScalar, given.View(scene), scalar);
+    Draw(Target::kScalar, given.View(scene), scalar);
     ExpectKept(scalar, scene, expected, name);
     Surface other(sink, scene.width, scene.height);
     for (const Target target : SupportedTargets().subspan(1)) {
       other.Clear();
-      Draw(KernelMethod::kExact, target, given.View(scene), other);
+      Draw(target, given.View(scene), other);
       ExpectSame(other, scalar, name + " " + std::string(NameOf(target)));
     }
     for (std::size_t k = 0; k < Crews::kCounts.size(); ++k) {

@@ -1,4 +1,4 @@
-// The kernels against plain definitions of them, by every method, sink and target.
+// The kernels against plain definitions of them, by every sink and target.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -26,7 +26,7 @@ TEST(KernelsTest, EverySinkAndTargetDrawsTheDefinition) {
       });
       for (const Target target : SupportedTargets()) {
         Surface surface(sink, scene.width, scene.height);
-        Draw(KernelMethod::kExact, target, view, surface);
+        Draw(target, view, surface);
         EXPECT_EQ(FirstDifference(surface, expected), "")
             << scene.name << ' ' << NameOf(sink) << ' ' << NameOf(target);
       }
@@ -50,8 +50,8 @@ TEST(KernelsTest, MasksEqualCountsAtEveryBit) {
         const KernelScene scene{vertices, indices, 160, 90};
         counts.Clear();
         mask.Clear();
-        Draw(KernelMethod::kExact, target, scene, counts);
-        Draw(KernelMethod::kExact, target, scene, mask);
+        Draw(target, scene, counts);
+        Draw(target, scene, mask);
         for (int i = 0; i < 160 * 90; ++i) {
           ASSERT_EQ(mask.At(i % 160, i / 160), counts.At(i % 160, i / 160))
               << NameOf(target) << ' ' << x << ' ' << width << " pixel " << i;
@@ -64,22 +64,20 @@ TEST(KernelsTest, MasksEqualCountsAtEveryBit) {
 TEST(KernelsTest, ASurfaceKeepsWhatWasDrawnBefore) {
   const OwnedScene scene = RandomScene(6, 67, 35, 40);
   const KernelScene view = scene.View();
-  for (const KernelMethod method : kKernelMethods) {
-    for (const Sink sink : kSinks) {
-      if (sink == Sink::kId) continue;
-      for (const Target target : SupportedTargets()) {
-        Surface whole(sink, 67, 35);
-        Draw(method, target, view, whole);
-        Surface halves(sink, 67, 35);
-        const std::size_t middle = 3 * 17;
-        KernelScene part = view;
-        part.indices = view.indices.first(middle);
-        Draw(method, target, part, halves);
-        part.indices = view.indices.subspan(middle);
-        Draw(method, target, part, halves);
-        for (int y = 0; y < 35; ++y) {
-          for (int x = 0; x < 67; ++x) ASSERT_EQ(halves.At(x, y), whole.At(x, y));
-        }
+  for (const Sink sink : kSinks) {
+    if (sink == Sink::kId) continue;
+    for (const Target target : SupportedTargets()) {
+      Surface whole(sink, 67, 35);
+      Draw(target, view, whole);
+      Surface halves(sink, 67, 35);
+      const std::size_t middle = 3 * 17;
+      KernelScene part = view;
+      part.indices = view.indices.first(middle);
+      Draw(target, part, halves);
+      part.indices = view.indices.subspan(middle);
+      Draw(target, part, halves);
+      for (int y = 0; y < 35; ++y) {
+        for (int x = 0; x < 67; ++x) ASSERT_EQ(halves.At(x, y), whole.At(x, y));
       }
     }
   }
@@ -104,7 +102,7 @@ TEST(KernelsTest, FillTakesEveryPixelOnce) {
 TEST(KernelsTest, WhatThereIsNoKernelForIsRefused) {
   const OwnedScene scene = RandomScene(7, 9, 9, 1);
   Surface small(Sink::kCount8, 8, 9);
-  EXPECT_THROW(Draw(KernelMethod::kExact, Target::kScalar, scene.View(), small), InputError);
+  EXPECT_THROW(Draw(Target::kScalar, scene.View(), small), InputError);
 }
 
 TEST(KernelsTest, TheScalarTargetRunsEverywhere) {

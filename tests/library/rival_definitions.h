@@ -43,6 +43,7 @@ inline Form FormOf(Arithmetic arithmetic) {
     case Arithmetic::kFloat64Direct:
     case Arithmetic::kInt32:
     case Arithmetic::kInt64:
+    case Arithmetic::kUnchecked:
       break;
   }
   return Form::kDirect;
@@ -399,6 +400,8 @@ Covered DefineReal(const Rival& rival, const KernelTriangle& t, int width, int h
 }
 
 /// What the rival covers of a target by one triangle.
+///
+/// Domain:     not kTwin.
 inline Covered Define(const Rival& rival, const KernelTriangle& t, int width, int height) {
   switch (rival.arithmetic) {
     case Arithmetic::kFloat32Direct:
@@ -411,6 +414,7 @@ inline Covered Define(const Rival& rival, const KernelTriangle& t, int width, in
       return DefineReal<double>(rival, t, width, height);
     case Arithmetic::kInt32:
     case Arithmetic::kInt64:
+    case Arithmetic::kUnchecked:
       break;
   }
   return rival.traversal == Traversal::kSpans ? definitions::FixedSpans(t, width, height)

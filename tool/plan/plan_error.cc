@@ -127,7 +127,6 @@ ProvedError ProvedErrorOf(std::string_view name, const Scene& scene) {
   if (name == "kernel-exact" || name == "kernel-clip") {
     return {0, "exact for every finite float32"};
   }
-  if (name == "kernel-exact-unsafe") return {.why = "it has no proved bound"};
   if (const auto rival = library::rivals::FindRival(name)) return RivalError(*rival, scene);
   const reference::Method* const method = reference::FindMethod(name);
   if (method == nullptr) return {.why = "not a method of this program"};

@@ -270,6 +270,23 @@ class PlantsTest(unittest.TestCase):
                     before = [line[1:] for line in hunk.splitlines() if line[:1] in (" ", "-")]
                     self.assertIn("\n".join(before), text, patch.name)
 
+    def test_what_catches_one_stands_where_its_labels_say(self):
+        tests = SCRIPTS.parent / "tests"
+        texts = {path: path.read_text(encoding="utf-8") for path in tests.rglob("*.cc")}
+        found = 0
+        for patch in sorted((SCRIPTS / "patches").glob("*.patch")):
+            fields = dict(re.findall(r"^# ([a-z ]+): *(.*)$", patch.read_text("utf-8"), re.M))
+            for case in fields.get("caught by", "").split():
+                suite, _, name = case.partition(".")
+                macro = re.compile(rf"^TEST(_F)?\({suite},\s*{name}\)", re.M)
+                rooms = {path.relative_to(tests).parts[0] for path, text in texts.items()
+                         if macro.search(text)}  # fmt: skip
+                found += len(rooms)
+                # Of a parameter's tests the name is made elsewhere.
+                if "/" not in case:
+                    self.assertTrue(rooms & set(fields["labels"].split()), (patch.name, case))
+        self.assertGreater(found, 40)
+
 
 if __name__ == "__main__":
     unittest.main()

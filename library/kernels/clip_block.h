@@ -18,8 +18,9 @@ struct alignas(64) ClipBlock {
   /// A row at y crosses edge e at slope y + from, from with 1/2 + the error. A fraction of at least
   /// twice_error, the largest one, tells the column. An edge without a guess cuts nothing
   /// here: CutExactly or ClipRows does.
-  double slope[3][kBlock], from[3][kBlock], twice_error[kBlock];
-  double side[3][kBlock];  ///< infinity: columns from the crossing on are inside; -infinity: before
+  double slope[4][kBlock], from[4][kBlock], twice_error[kBlock];
+  double side[4][kBlock];  ///< infinity: columns from the crossing on are inside; -infinity: before
+  double near_error[kBlock];  ///< of edge kNearEdge, whose columns are of those in `cut` alone
   double zc[kBlock], zx[kBlock], zy[kBlock];
   std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
   std::uint64_t masks[kBlock];  ///< of small ones
@@ -29,7 +30,7 @@ struct alignas(64) ClipBlock {
   std::uint32_t small;        ///< box at most 8x8, and no row that a guess does not tell
   std::uint32_t cut;          ///< by the near plane
   std::uint32_t parallel[3];  ///< to the rows: there is no crossing
-  std::uint32_t searched[3];  ///< of the others those without a guess
+  std::uint32_t searched[4];  ///< of the others, and of `cut`, those without a guess
 
   HWY_INLINE ClipTriangle TriangleOf(const KernelView& view, int i) const {
     ClipTriangle t;
@@ -210,6 +211,45 @@ HWY_INLINE VD StoreClipEdge(const KernelView& view, const ClipNormals& n, MD fro
   return hn::IfThenElseZero(tells, hn::Add(error, error));
 }
 
+/// Stores where rows cross the near plane, of the lanes that it cuts.
+HWY_INLINE void StoreNearEdge(const KernelView& view, const ClipGroup& g, const ClipNormals (&n)[3],
+                              MD front, MD cut, int at, ClipBlock& block) {
+  const DD dd;
+  const VD zero = hn::Zero(dd);
+  VD factor[3];
+  for (int k = 0; k < 3; ++k) {
+    factor[k] = view.near_plane == NearPlane::kMinusW ? hn::Add(g.z[k], g.w[k]) : g.z[k];
+  }
+  // Corner k is opposite edge k + 1.
+  const auto sum = [&](VD a, VD b, VD c, VD& size) {
+    const VD terms[3] = {hn::Mul(factor[0], b), hn::Mul(factor[1], c), hn::Mul(factor[2], a)};
+    size = hn::Add(hn::Add(hn::Abs(terms[0]), hn::Abs(terms[1])), hn::Abs(terms[2]));
+    return hn::Add(hn::Add(terms[0], terms[1]), terms[2]);
+  };
+  VD size_x, size_y, size_w;
+  const VD x = sum(n[0].x, n[1].x, n[2].x, size_x);
+  const VD y = sum(n[0].y, n[1].y, n[2].y, size_y);
+  const VD w = sum(n[0].w, n[1].w, n[2].w, size_w);
+  const VD reciprocal = hn::Div(hn::Set(dd, -1.0), x);
+  const VD slope = hn::Mul(y, reciprocal);
+  const VD from = hn::Mul(w, reciprocal);
+  const VD rows = hn::Set(dd, static_cast<double>(view.height));
+  const VD unit = hn::Add(hn::MulAdd(hn::Abs(slope), rows, hn::Abs(from)), hn::Set(dd, 1.0));
+  const VD sizes = hn::MulAdd(size_x, unit, hn::MulAdd(size_y, rows, size_w));
+  const VD moved =
+      hn::Mul(hn::Mul(sizes, hn::Abs(reciprocal)), hn::Set(dd, kClipNearCrossingError));
+  const VD error = hn::MulAdd(unit, hn::Set(dd, kClipCrossingError), moved);
+  const MD tells = hn::Lt(error, hn::Set(dd, kClipWorstGuess));  // not if NaN
+  const MD is_left = hn::Xor(hn::Lt(x, zero), front);
+  const VD infinity = hn::Set(dd, __builtin_inf());
+  hn::Store(hn::IfThenElseZero(tells, slope), dd, block.slope[kNearEdge] + at);
+  hn::Store(hn::IfThenElseZero(tells, hn::Add(from, hn::Add(hn::Set(dd, 0.5), error))), dd,
+            block.from[kNearEdge] + at);
+  hn::Store(hn::IfThenElse(is_left, infinity, hn::Neg(infinity)), dd, block.side[kNearEdge] + at);
+  hn::Store(hn::Add(error, error), dd, block.near_error + at);
+  block.searched[kNearEdge] |= Bits32(hn::AndNot(tells, cut)) << at;
+}
+
 /// D of each lane, its sign certain; and if kNeedsPlane within a relative 2^-24.6.
 template <bool kNeedsPlane>
 HWY_INLINE VD ClipDeterminants(const KernelView& view, const ClipGroup& g, const ClipNormals& n,
@@ -313,12 +353,56 @@ HWY_INLINE MD FindClipMasks(MD small, int rows, int at, ClipBlock& block) {
   return hn::And(small, hn::Ge(fraction, hn::Load(dd, block.twice_error + at)));
 }
 
+/// Cuts the masks of small triangles by the near plane. Returns those of `small` whose every guess
+/// tells.
+inline HWY_NOINLINE std::uint32_t CutClipMasks(std::uint32_t small, int rows, int at,
+                                               ClipBlock& block) {
+  const DD dd;
+  const DDI di;
+  const hn::Rebind<std::uint64_t, DD> du;
+  const hn::Rebind<std::uint32_t, DD> dn;
+  const VD slope = hn::Load(dd, block.slope[kNearEdge] + at);
+  const VD from = hn::Load(dd, block.from[kNearEdge] + at);
+  const MD is_left = hn::Gt(hn::Load(dd, block.side[kNearEdge] + at), hn::Zero(dd));
+  const MD is_cut = MaskOf(dd, (block.cut >> at) & small);
+  const auto load = [&](const std::int32_t* p) { return hn::PromoteTo(dd, hn::Load(di, p + at)); };
+  const VD begin = load(block.x0);
+  const VD half = hn::Set(dd, 0.5);
+  // Beyond these a guess tells, as their fractions do.
+  const VD least = hn::Sub(begin, half);
+  const VD most = hn::Add(load(block.x1), half);
+  const VD last_y = hn::Sub(load(block.y1), half);
+  VD y = hn::Add(load(block.y0), half);
+  VD fraction = half;
+  const auto one = hn::Set(du, std::uint64_t{1});
+  const auto all = hn::Set(du, std::uint64_t{0xff});
+  auto inside = hn::Zero(du);
+  for (int r = 0; r < rows; ++r) {
+    const VD guess = hn::Min(hn::Max(hn::MulAdd(y, slope, from), least), most);
+    const VD column = hn::Floor(guess);
+    const MD asked = hn::And(is_cut, hn::Le(y, last_y));
+    fraction = hn::Min(fraction, hn::IfThenElse(asked, hn::Sub(guess, column), half));
+    const VD columns = hn::Max(hn::Sub(column, begin), hn::Zero(dd));
+    const auto n = hn::PromoteTo(du, hn::BitCast(dn, hn::DemoteTo(di, columns)));
+    const auto before = hn::And(hn::Sub(hn::Shl(one, n), one), all);
+    const auto row = hn::IfThenElse(hn::RebindMask(du, is_left), hn::Xor(before, all), before);
+    inside = hn::Or(inside, hn::ShiftLeftSame(row, 8 * r));
+    y = hn::Add(y, hn::Set(dd, 1.0));
+  }
+  const auto masks = hn::Load(du, block.masks + at);
+  hn::Store(hn::IfThenElse(hn::RebindMask(du, is_cut), hn::And(masks, inside), masks), du,
+            block.masks + at);
+  return small &
+         Bits32(hn::Ge(fraction, hn::IfThenElseZero(is_cut, hn::Load(dd, block.near_error + at))));
+}
+
 template <bool kNeedsPlane>
 HWY_INLINE void SetUpClip(const KernelView& view, const std::uint32_t* indices, ClipBlock& block) {
   const DD dd;
   block.cut = 0;
   block.small = 0;
   for (int e = 0; e < 3; ++e) block.parallel[e] = block.searched[e] = 0;
+  block.searched[kNearEdge] = 0;
   for (int at = 0; at < kBlock; at += kDoubles) {
     const ClipGroup g(view.vertices, indices + 3 * at);
     MD cut;
@@ -337,18 +421,23 @@ HWY_INLINE void SetUpClip(const KernelView& view, const std::uint32_t* indices, 
     drawn &= Bits32(hn::Ne(determinant, hn::Zero(dd)));
     block.drawn |= drawn << at;
     block.front |= Bits32(is_front) << at;
-    block.cut |= Bits32(cut) << at;
+    const std::uint32_t cut_bits = drawn & Bits32(cut);
+    block.cut |= cut_bits << at;
     VD twice_error = hn::Zero(dd);
     for (int e = 0; e < 3; ++e) {
       twice_error = hn::Max(twice_error, StoreClipEdge(view, n[e], is_front, e, at, block));
     }
     hn::Store(twice_error, dd, block.twice_error + at);
     if constexpr (kNeedsPlane) StoreClipPlane(g, n, determinant, at, block);
-    std::uint32_t others = block.cut;
+    if (HWY_UNLIKELY(cut_bits != 0)) StoreNearEdge(view, g, n, is_front, cut, at, block);
+    std::uint32_t others = block.searched[kNearEdge];
     for (int e = 0; e < 3; ++e) others |= block.parallel[e] | block.searched[e];
     int rows = 0;
     const MD small = AreSmall(block, at, MaskOf(dd, drawn & ~(others >> at)), rows);
-    if (rows > 0) block.small |= Bits32(FindClipMasks(small, rows, at, block)) << at;
+    if (rows == 0) continue;
+    std::uint32_t told = Bits32(FindClipMasks(small, rows, at, block));
+    if (HWY_UNLIKELY((cut_bits & told) != 0)) told = CutClipMasks(told, rows, at, block);
+    block.small |= told << at;
   }
 }
 

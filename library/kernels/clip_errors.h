@@ -21,7 +21,7 @@ inline constexpr double kClipDotError = 0x1.4p-51;
 /// z_k + w_k, in units of the sum of its nine terms' sizes: the same, and n_k, its product and two
 /// sums: 8.1 u, and the sizes' own rounding takes less than 1 u.
 /// Proof:      reference/proofs/clip_kernel.g.
-/// Measured:   largest error / bound 0.306, by the same test.
+/// Measured:   largest error / bound 0.318, by the same test.
 inline constexpr double kClipNearError = 0x1.4p-50;
 
 /// Of a guess -(ny y + nw) / nx + 1/2 + error, computed as y s + (f + (1/2 + error)), s = -ny / nx,
@@ -29,8 +29,19 @@ inline constexpr double kClipNearError = 0x1.4p-50;
 /// components, a reciprocal, a product), and a product and two sums round after them: less than
 /// 15 u. Of 16 u the unit's own rounding leaves 15.8 u.
 /// Proof:      reference/proofs/clip_kernel.g.
-/// Measured:   largest error / bound 0.240, by the same test.
+/// Measured:   largest error / bound 0.243, by the same test.
 inline constexpr double kClipCrossingError = 0x1p-49;
+
+/// Of a guess of where a row crosses the near plane, -(b y + c) / a + 1/2 + error: a, b and c are
+/// sums over corners of n_k and a component of N, as above, of three terms whose sizes have the sums
+/// A, B and C. Computed as of an edge, in units of unit = |s| y + |f| + 1: kClipCrossingError holds
+/// of what the computed a, b and c stand for. These are off by 5.1 u of A, B and C (the component,
+/// n_k, a product and two sums), which moves the crossing by 5.1 u (A unit + B y + C) / |a|: of 8 u
+/// the sizes' own rounding, and that of a and of the quotient, leave 7.9 u where the error is less
+/// than kClipWorstGuess.
+/// Proof:      reference/proofs/clip_kernel.g.
+/// Measured:   largest error / bound 0.158, by the same test.
+inline constexpr double kClipNearCrossingError = 0x1p-50;
 
 /// A guess that may be off by more than this decides nothing: its row is searched exactly.
 inline constexpr double kClipWorstGuess = 0x1p-10;

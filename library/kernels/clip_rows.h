@@ -4,7 +4,7 @@
 // A sample is covered if the ray through it meets the triangle before the eye: if it is inside
 // three edges N . (x, y, 1), N = V_j x V_i, by the facing (reference/homogeneous.h). What a row has
 // inside an edge begins or ends where it crosses it, guessed as in exact_crossings.h; the near
-// plane is one edge more.
+// plane is one edge more of the triangles that it cuts.
 #ifndef RASTERPROOF_LIBRARY_KERNELS_CLIP_ROWS_H_
 #define RASTERPROOF_LIBRARY_KERNELS_CLIP_ROWS_H_
 
@@ -37,13 +37,42 @@ inline HWY_NOINLINE VD ResolveClip(const KernelView& view, const ClipBlock& bloc
   return hn::Load(dd, columns);
 }
 
+/// Cuts rows from `row` on by the near plane, where a guess tells or is decided.
+inline HWY_NOINLINE void CutNear(const KernelView& view, const ClipBlock& block, int i, int row,
+                                 int rows, std::int32_t* first, std::int32_t* last) {
+  const DD dd;
+  const DDI di;
+  const VD slope = hn::Set(dd, block.slope[kNearEdge][i]);
+  const VD from = hn::Set(dd, block.from[kNearEdge][i]);
+  const VD side = hn::Set(dd, block.side[kNearEdge][i]);
+  const VD twice_error = hn::Set(dd, block.near_error[i]);
+  for (int at = 0; at < rows; at += kDoubles) {
+    const std::uint64_t valid = (std::uint64_t{1} << Least(kDoubles, rows - at)) - 1;
+    const VD y = DoublesFrom(row + at + 0.5);
+    // Beyond these a guess tells, as their fractions do.
+    const VD guess = hn::Min(hn::Max(hn::MulAdd(y, slope, from), hn::Set(dd, -1.5)),
+                             hn::Set(dd, view.width + 1.5));
+    VD column = hn::Floor(guess);
+    const std::uint64_t open = MaskBits(dd, hn::Lt(hn::Sub(guess, column), twice_error)) & valid;
+    if (HWY_UNLIKELY(open != 0)) {
+      column = ResolveClip(view, block, i, kNearEdge, row + at, column, open);
+    }
+    const VD begin = hn::PromoteTo(dd, hn::Load(di, first + at));
+    const VD end = hn::PromoteTo(dd, hn::Load(di, last + at));
+    const VD from_column = hn::Max(begin, hn::Min(column, side));
+    const VD to_column = hn::Min(end, hn::Max(column, side));
+    hn::Store(hn::DemoteTo(di, from_column), di, first + at);
+    hn::Store(hn::DemoteTo(di, hn::Max(from_column, to_column)), di, last + at);
+  }
+}
+
 /// Cuts rows from `row` on by the edges that have no guess, each row searched exactly.
 inline HWY_NOINLINE void CutExactly(const KernelView& view, const ClipBlock& block, int i, int row,
                                     int rows, std::int32_t* first, std::int32_t* last) {
   const ClipTriangle t = block.TriangleOf(view, i);
   const int facing = block.Has(block.front, i) ? 1 : -1;
   for (int e = 0; e <= kNearEdge; ++e) {
-    if (!block.Has(e == kNearEdge ? block.cut : block.searched[e], i)) continue;
+    if (!block.Has(block.searched[e], i)) continue;
     for (int r = 0; r < rows; ++r) {
       if (first[r] < last[r]) ClipColumns(t, e, facing, row + r, first[r], last[r]);
     }
@@ -112,8 +141,9 @@ HWY_INLINE void DrawClipTriangle(const KernelView& view, const ClipBlock& block,
       ClipRows(block.TriangleOf(view, i), e, is_front ? 1 : -1, y0, y1);
     }
   }
-  const bool has_exact =
-      block.Has(block.cut | block.searched[0] | block.searched[1] | block.searched[2], i);
+  const std::uint32_t searched = block.searched[0] | block.searched[1] | block.searched[2];
+  const bool has_exact = block.Has(searched | block.searched[kNearEdge], i);
+  const bool is_cut = block.Has(block.cut & ~block.searched[kNearEdge], i);
   const ClipCrossings crossings(view, block, i);
   sink.Begin(triangle, is_front, block.PlaneOf(i));
   alignas(64) std::int32_t first[kRowsAtOnce], last[kRowsAtOnce];
@@ -126,6 +156,7 @@ HWY_INLINE void DrawClipTriangle(const KernelView& view, const ClipBlock& block,
       hn::Store(from, DDI(), first + at);
       hn::Store(to, DDI(), last + at);
     }
+    if (HWY_UNLIKELY(is_cut)) CutNear(view, block, i, row, rows, first, last);
     if (HWY_UNLIKELY(has_exact)) CutExactly(view, block, i, row, rows, first, last);
     Emit(sink, block.x1[i] - block.x0[i], row, rows, first, last);
   }

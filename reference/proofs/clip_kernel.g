@@ -23,6 +23,14 @@ by_half = (1 + c1) * (1 + c2) * (1 + c3) - 1;
 off = sigma * by_slope + phi * by_from + (0.5 + error) * by_half;
 crossing_room = 1b-49 * quotient * (1 + e1) * (1 + e2) * (1 + e3);
 
+# The near plane's crossing: a coefficient is such a sum of a component, the corner's factor, a
+# product and two sums. It moves the crossing by as much of what the coefficients' sizes reach, over
+# the exact first one: off by kappa of the computed one, for the error is less than 2^-10.
+near_coefficient = (1 + n) * (1 + r) * (1 + q) * (1 + s6) * (1 + s7) - 1;
+near_moved = near_coefficient / (1 + kappa);
+near_crossing_room = 8b-53 * (1 + n) * (1 + r) * (1 + q) * (1 + s3) * (1 + s4) * (1 + s5)
+  * (1 + s8) * (1 + p) * (1 + d) * (1 + p2) * (1 + e1) * (1 + e2) * (1 + e3);
+
 # The depth: a coefficient, and its product and two sums; D is off by delta of itself.
 depth = (1 + n) * (1 + p) * (1 + s1) * (1 + s2) * (1 + d) * (1 + p2) * (1 + s3) * (1 + s4) - 1;
 depth_off = depth / (1 + delta);
@@ -33,7 +41,7 @@ depth_off = depth / (1 + delta);
   |c1| <= 1b-53 /\ |c2| <= 1b-53 /\ |c3| <= 1b-53 /\
   |e1| <= 1b-53 /\ |e2| <= 1b-53 /\ |e3| <= 1b-53 /\
   |r| <= 1b-53 /\ |q| <= 1b-53 /\ |s5| <= 1b-53 /\ |s6| <= 1b-53 /\ |s7| <= 1b-53 /\
-  |s8| <= 1b-53 /\ |s9| <= 1b-53 /\ |delta| <= 1b-24 /\
+  |s8| <= 1b-53 /\ |s9| <= 1b-53 /\ |delta| <= 1b-24 /\ |kappa| <= 1b-10 /\
   |sigma| <= 1 /\ |phi| <= 1 /\ error in [0, 1b-10]
 ->
   |dot| <= 4199b-63 /\
@@ -42,6 +50,9 @@ depth_off = depth / (1 + delta);
   crossing_room >= 127b-56 /\
   |near| <= 8295b-63 /\
   near_room >= 79b-56 /\
+  |near_coefficient| <= 5131b-63 /\
+  |near_moved| <= 5140b-63 /\
+  near_crossing_room >= 8180b-63 /\
   |depth| <= 8295b-63 /\
   |depth_off| <= 8296b-63
 }

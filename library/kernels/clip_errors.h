@@ -33,12 +33,12 @@ inline constexpr double kClipNearError = 0x1.4p-50;
 inline constexpr double kClipCrossingError = 0x1p-49;
 
 /// Of a guess of where a row crosses the near plane, -(b y + c) / a + 1/2 + error: a, b and c are
-/// sums over corners of n_k and a component of N, as above, of three terms whose sizes have the sums
-/// A, B and C. Computed as of an edge, in units of unit = |s| y + |f| + 1: kClipCrossingError holds
-/// of what the computed a, b and c stand for. These are off by 5.1 u of A, B and C (the component,
-/// n_k, a product and two sums), which moves the crossing by 5.1 u (A unit + B y + C) / |a|: of 8 u
-/// the sizes' own rounding, and that of a and of the quotient, leave 7.9 u where the error is less
-/// than kClipWorstGuess.
+/// sums over corners of n_k and a component of N, as above, of three terms whose sizes have the
+/// sums A, B and C. Computed as of an edge, in units of unit = |s| y + |f| + 1: kClipCrossingError
+/// holds of what the computed a, b and c stand for. These are off by 5.1 u of A, B and C (the
+/// component, n_k, a product and two sums), which moves the crossing by 5.1 u (A unit + B y + C) /
+/// |a|: of 8 u the sizes' own rounding, and that of a and of the quotient, leave 7.9 u where the
+/// error is less than kClipWorstGuess.
 /// Proof:      reference/proofs/clip_kernel.g.
 /// Measured:   largest error / bound 0.158, by the same test.
 inline constexpr double kClipNearCrossingError = 0x1p-50;

@@ -205,7 +205,8 @@ bool IsOfWindowFloats(const Scene& scene, std::int64_t most_pixels) {
 
 // Adds the scene's triangles, each with depths of random corners. The target grows to hold the
 // scene's, up to so many pixels; beyond, it cuts them off.
-void Join(const Scene& scene, std::int64_t most_pixels, RandomValues& random, Scene& all) {
+void Join(const Scene& scene, std::int64_t most_pixels, reference::RandomValues& random,
+          Scene& all) {
   const int width = std::max(all.width, scene.width);
   const int height = std::max(all.height, scene.height);
   if (std::int64_t{width} * height <= most_pixels) {
@@ -226,7 +227,7 @@ void Join(const Scene& scene, std::int64_t most_pixels, RandomValues& random, Sc
 // in crowds of several parts for each worker on larger targets.
 std::uint64_t ExpectExactOnDomain(const props::Domain& domain, std::uint64_t wanted, Crews& crews) {
   const SubjectInfo info = props::testing::RealInfo();
-  RandomValues random(35);
+  reference::RandomValues random(35);
   std::uint64_t drawn = 0;
   std::uint64_t index = 0;
   for (int crowd = 0; drawn < wanted; ++crowd) {
@@ -283,7 +284,7 @@ TEST(ExactKernel, EqualsTheOracleOnEveryDomain) {
 // Edges that miss a pixel centre by less than a guess is off, in each tier: the far end of an edge
 // through a vertex and a centre, rounded to float.
 TEST(ExactKernel, EqualsTheOracleWhereEdgesMissCentres) {
-  RandomValues random(84);
+  reference::RandomValues random(84);
   // Small, near, in steps, in double.
   struct Tier {
     int side;
@@ -330,7 +331,7 @@ double GuessError(const std::array<float, 4>& edge, double row, T error, bool fu
 // Of edges with both ends within [least, most], the largest error over its bound.
 template <class T>
 double WorstGuess(double least, double most, T error, std::uint64_t seed) {
-  RandomValues random(seed);
+  reference::RandomValues random(seed);
   double worst = 0;
   for (int i = 0; i < Cases(400'000); ++i) {
     std::array<float, 4> edge{};

@@ -104,7 +104,7 @@ FakeSubject SamplesBy(void (*place)(const Scene& one, Point2& location)) {
 // Each triangle alone is explained by places in the pixel, together they are not.
 TEST(Samples, HaveOnePlaceForAllTrianglesOfACase) {
   FakeSubject one = SamplesBy([](const Scene&, Point2& location) { location.x = 0.25; });
-  EXPECT_EQ(Found(one, InThePixel(), 60), Outcome::kHolds);
+  EXPECT_EQ(Found(one, InThePixel(), Cases(60)), Outcome::kHolds);
   FakeSubject two = SamplesBy([](const Scene& scene, Point2& location) {
     const Vertex& first = scene.vertices[static_cast<std::size_t>(scene.triangles[0][0])];
     location.x = std::fmod(std::floor(std::fabs(first.x)), 2) == 0 ? 0.25 : 0.75;

@@ -11,6 +11,7 @@
 #include "props/cause/evidence.h"
 #include "props/property.h"
 #include "subjects/mutants/mutants.h"
+#include "tests/share.h"
 
 namespace rasterproof::props {
 namespace {
@@ -68,12 +69,14 @@ INSTANTIATE_TEST_SUITE_P(
                       Planted{"values-depth-16-bits", kFormats, "depth-rounding"}));
 
 // Sound rasterizers, of unusual forms and statements, have no mistake; and no other bug has one
-// that is not its own.
+// that is not its own. A share of the questions is of all three properties.
 TEST(ValueMistakes, AccuseNobodyElse) {
-  int asked = 0;
+  const int every = kOneCaseIn > 1 ? kOneCaseIn : RunsMore() ? 1 : 2;  // prime to three
+  int asked = 0, number = 0;
   for (const subjects::MutantInfo& info : subjects::Mutants()) {
     if (info.name.find(":values-") == std::string::npos) continue;
     for (const std::string_view property : {kSlopes, kClipDepths, kFormats}) {
+      if (number++ % every != 0) continue;
       const ValueMistake found = FindIn(info.name, property);
       asked += found.numbers != 0 ? 1 : 0;
       if (info.legal) {
@@ -85,7 +88,7 @@ TEST(ValueMistakes, AccuseNobodyElse) {
       }
     }
   }
-  EXPECT_GT(asked, 100);
+  EXPECT_GT(asked, 100 / every);
 }
 
 }  // namespace

@@ -118,7 +118,7 @@ class Outside(Certify):
             self.assertTrue(os.path.exists(case))
 
     def test_every_replay_of_a_certificate_runs_as_it_is_printed(self):
-        self.certify("--plugin", f"{PLUGINS}/shown_SCISSOR.so", "--cases", "70")
+        self.certify("--plugin", f"{PLUGINS}/shown_SCISSOR.so", "--cases", "30")
         (certificate,) = self.certificates()
         replays = [p["counterexample"]["replay"] for p in certificate["tested"]
                    if p["outcome"] == "violated"]  # fmt: skip
@@ -201,7 +201,7 @@ class Verdicts(Certify):
         for name in ("shared-edge-samples", "contract-none", "watertight-elsewhere"):
             with self.subTest(name=name):
                 shutil.rmtree(self.out, ignore_errors=True)
-                done = self.certify("--subject", f"legal:{name}", "--cases", "10",
+                done = self.certify("--subject", f"legal:{name}", "--cases", "3",
                                     scenes=("ties", "slivers", "glyphs"))  # fmt: skip
                 certificate = self.agreed(done, "holds")
                 differ = [scene for scene in certificate["measured"] if scene.get("wrong")]
@@ -211,7 +211,7 @@ class Verdicts(Certify):
                     self.assertIn("observed, not judged", scene["message"])
 
     def test_a_survey_fails_on_broken_properties_only(self):
-        done = self.certify("--all", "--cases", "3", scenes=("ties",))
+        done = self.certify("--all", "--cases", "1", scenes=("ties",))
         self.assertEqual(done.returncode, 0, done.stdout.decode())
         verdicts = {c["subject"]["name"]: c["verdict"] for c in self.certificates()}
         self.assertEqual(verdicts["textbook"], "violated")
@@ -230,7 +230,7 @@ class Verdicts(Certify):
         for _ in range(2):
             # The command line is on record: both runs write to one place.
             shutil.rmtree(self.out, ignore_errors=True)
-            done = self.run_certify("--all", "--cases", "6", "--scenes", scenes)
+            done = self.run_certify("--all", "--cases", "2", "--scenes", scenes)
             files = {"": SECONDS.sub(b"", done.stdout)}
             for folder, _, names in os.walk(self.out):
                 for name in names:
@@ -242,7 +242,7 @@ class Verdicts(Certify):
             self.assertEqual(content, contents[1][path], path)
         tiers = json.loads(self.read(f"{self.out}/f32-direct/certificate.json"))["oracle_tiers"]
         shutil.rmtree(self.out)
-        self.run_certify("--subject", "f32-direct", "--cases", "6", "--scenes", scenes)
+        self.run_certify("--subject", "f32-direct", "--cases", "2", "--scenes", scenes)
         alone = json.loads(self.read(f"{self.out}/f32-direct/certificate.json"))["oracle_tiers"]
         self.assertEqual(tiers, alone, "who else was certified changes nothing")
 
@@ -405,7 +405,7 @@ class Pages(Certify):
         return [os.path.normpath(os.path.join(os.path.dirname(path), link)) for link in found]
 
     def test_a_survey_is_a_small_page_and_all_that_it_leads_to_is_there(self):
-        done = self.run_certify("--all", "--cases", "3")
+        done = self.run_certify("--all", "--cases", "1")
         self.assertEqual(done.returncode, 0, done.stderr)
         pages = self.pages()
         self.assertEqual(len(pages), 1 + len(self.certificates()))

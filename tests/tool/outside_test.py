@@ -392,13 +392,13 @@ class Batches(unittest.TestCase):
 
     def test_a_program_may_take_batches(self):
         text, errors = self.check("command tests/tool/batches.py\ntakes window batches\n",
-                                  "--cases", "6", "--property", "BatchDrawsLikeSingleCalls")
+                                  "--cases", "3", "--property", "BatchDrawsLikeSingleCalls")
         self.assertEqual(held(text), 2, text)
         self.assertIn("it was sent a batch ", errors)
 
     def test_a_program_may_be_sent_vertices_once(self):
         every, once, former = (self.check(f"command tests/tool/same_vertices.py\n{line}\n",
-                                          "--cases", "10")
+                                          "--cases", "4")
                                for line in ("takes window", "takes window same",
                                             "protocol 2\ntakes window"))  # fmt: skip
         self.assertEqual([text for text, _ in (once, former)], [every[0], every[0]])

@@ -22,7 +22,7 @@ FUSED = "-O2 -march=x86-64-v3 -ffp-contract=fast"
 CONTRACTING = (FUSED, f"clang {FUSED}", "aarch64 -O2 -ffp-contract=fast")
 
 
-def sweep(*names, cases=40, **kept):
+def sweep(*names, cases=20, **kept):
     """The ended command, and its JSON: {} where it wrote none."""
     with tempfile.TemporaryDirectory() as folder:
         file = os.path.join(folder, "sweep.json")
@@ -43,7 +43,7 @@ def sweep(*names, cases=40, **kept):
 
 @functools.cache
 def robust():
-    return sweep("robust.c")
+    return sweep("robust.c", cases=40)
 
 
 @functools.cache
@@ -155,7 +155,7 @@ class Sweep(unittest.TestCase):
         self.assertIn(f"; model: {drawn} builds stand, 0 fail, ", done.stdout)
 
     def test_no_group_of_a_source_that_draws_nothing_is_right(self):
-        done, result = sweep("nothing.c", more=BUILD)
+        done, result = sweep("nothing.c", cases=40, more=BUILD)
         self.assertEqual(done.returncode, 0, "all builds agree")
         self.assertEqual({row["group"] for row in rows_of(result) if row["drawn"]}, {"group A"})
         (group,) = groups_of(result).values()

@@ -131,7 +131,8 @@ TEST(Fingerprint, LooksAtTheSameSampleWhereYGrowsUp) {
 TEST(Fingerprint, IsMadeOfEveryMethodAndKernelAndEmptyOfErrorsWhereZeroIsProved) {
   FingerprintPlaces places(kFingerprintSteps[2]);
   constexpr std::size_t kEvery = kOneCaseIn;
-  std::size_t number = 0, proved = 0;
+  std::size_t number = 0;
+  std::size_t proved = 0;
   for (const auto& contender : OwnContenders(ContenderChoice::kQuick)) {
     if (number++ % kEvery != 0) continue;
     ASSERT_EQ(places.WhyNot(*contender), std::nullopt) << contender->method().name;

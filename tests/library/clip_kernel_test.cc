@@ -315,8 +315,8 @@ TEST(ClipKernel, DepthsStayWithinTheirBound) {
   }
   reference::RandomValues random(12);
   DepthErrors slivers;
-  for (int i = 0; i < (RunsMore() ? 200 : kOneCaseIn > 1 ? 4 : 12); ++i)
-    slivers.Measure(Slivers(random));
+  const int count = RunsMore() ? 200 : kOneCaseIn > 1 ? 4 : 12;
+  for (int i = 0; i < count; ++i) slivers.Measure(Slivers(random));
   std::cout << "largest error / bound of " << any.samples << " depths: " << any.worst
             << ", beyond the last rounding " << any.worst_beyond_rounding << "; of "
             << slivers.samples << " on slivers: " << slivers.worst << '\n';

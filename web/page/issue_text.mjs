@@ -1,11 +1,6 @@
 /** What a run found, in Markdown: to paste into an issue. */
 import {modelWords} from "./compare.mjs";
-
-/** What fails the run goes first; a lack of quality alone is shown, too. */
-export function firstFailure(result) {
-  const failures = result?.subjects[0].failures ?? [];
-  return failures.find(({fails}) => fails) ?? failures[0];
-}
+import {firstFailure, isAlike} from "./picture.mjs";
 
 /** The counts around the failure, as text: expected beside drawn. */
 function pictureText({x, y, width, height, samples, expected, actual}, pixel) {
@@ -20,6 +15,11 @@ function pictureText({x, y, width, height, samples, expected, actual}, pixel) {
     ...rows, "```"];
 }
 
+/** What a cause's text is of. */
+export function causeWords(cause) {
+  return cause === "none" ? "Not explained:" : `Likely cause, ${cause}:`;
+}
+
 /** @param {{asked: object, info: ?object, done: object, browser: string}} run */
 export function issueText({asked, info, done, browser}) {
   const failure = firstFailure(done.result);
@@ -28,14 +28,20 @@ export function issueText({asked, info, done, browser}) {
     `## ${asked.of === "values" ? "Values of pixels" : "Triangle coverage"}: ${done.outcome}${done.reason ? ` (${done.reason})` : ""}`, "",
     `- Device: ${adapter.join(", ") || "not said"}`,
     `- Browser: ${browser}`,
+    ...(info ? [`- Subpixel bits, as the driver says: ${info.subpixelBits ?? "not said"}; viewport ${
+      info.viewport.kind}`] : []),
     `- Asked: ${{webgpu: "WebGPU", webgl2: "WebGL2"}[asked.api]}, samples a pixel: ${asked.samples}, ${asked.cases} cases of ` +
         `each property, seed ${asked.seed}, rasterproof ${done.result?.version ?? "unknown"}`,
     ...done.models.filter(({model}) => model).map(({side, model}) => {
       return `- In a viewport of ${side} x ${side}: ${modelWords(model)}`;
-    }), "",
+    }),
   ];
+  const {causes = [], properties} = done.result?.subjects[0] ?? {properties: []};
+  const failing = properties.filter(({fails}) => fails).map(({property}) => property);
+  lines.push(...(failing.length > 0 ? [`- Failed: ${failing.join(", ")}`] : []),
+      ...causes.map(({cause, text}) => `- ${causeWords(cause)} ${text}`), "");
   if (!failure) return lines.join("\n");
-  const {picture} = done;
+  const picture = done.picture && !isAlike(done.picture) ? done.picture : null;
   const place = failure.pixel ? ` at pixel (${failure.pixel.join(", ")}), sample ${
     failure.sample ?? 0}` : "";
   lines.push(`### ${failure.property}`, "", `${failure.message}.`, "",

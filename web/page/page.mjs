@@ -1,7 +1,7 @@
 /* The page's side of a run: what it shows, and where the worker comes from. */
 const parts = modules();
 const {svg} = parts.board;
-const {firstFailure} = parts.issue_text;
+const {firstFailure, isAlike} = parts.picture;
 const byId = (id) => document.getElementById(id);
 const KEPT = "rasterproof-run";
 const PROOF_NAMES = {
@@ -32,6 +32,19 @@ function made(name, held, attributes = {}) {
 function show(section, lists) {
   byId(section).hidden = false;
   for (const [id, children] of Object.entries(lists)) byId(id).replaceChildren(...children);
+}
+
+/** Numbers of a sentence as people read them; as written behind, where that says more. */
+function readable(text) {
+  const decimal = (number) => String(Number(number.toPrecision(6)));
+  const hexadecimal = /(-?)0x([0-9a-f]+)(?:\.([0-9a-f]+))?p([+-]?\d+)/g;
+  const plain = String(text).replace(hexadecimal, (_, sign, whole, rest = "", exponent) => {
+    const digits = parseInt(whole + rest, 16) * 2 ** (Number(exponent) - 4 * rest.length);
+    return decimal(sign ? -digits : digits);
+  });
+  return plain.replace(/(-?\d+)\/(\d+)/g, (all, n, d) => {
+    return Number(d) > 0 ? `${decimal(n / d)} (${all})` : all;
+  });
 }
 
 const counted = (count, one, more) => `${count} ${count === 1 ? one : more}`;
@@ -90,8 +103,11 @@ function showDevice({info}) {
       `ordinary: a corner may arrive ${error} pixels off, in 256 x 256`;
   show("device", {"proof": [], "device-facts": facts([
     ["Adapter", adapter.join(" · ") || "not said"],
-    ["Subpixel bits, as it says", info.subpixelBits === null ? "not said" : info.subpixelBits],
-    ["Counts exactly to", info.ceiling],
+    ...(/swiftshader|llvmpipe|warp|basic render/i.test(adapter.join(" ")) ? [["Which is",
+      "a program on the processor, not your graphics card: to judge the card, turn on hardware " +
+      "acceleration in the browser's settings"]] : []),
+    ["Subpixel bits, as the driver says", info.subpixelBits ?? "not said"],
+    ["Counts triangles on a sample, exactly to", info.ceiling],
     ["Viewport", viewport],
     ["Limits", Object.entries(info.limits).map(([name, n]) => `${name} ${n}`).join(", ")],
     ["The browser hides", info.hidden.join(", ") || "nothing"],
@@ -153,7 +169,7 @@ function boardOf(title, counts, {x, y, width, height, expected}, play, pixel) {
 
 /** The failure's counts beside the model's. */
 function showPicture(picture, play, pixel, sample) {
-  const titles = [`Expected: ${MODEL_WORDS[picture.model]}`,
+  const titles = [`Expected: a legal drawing, ${MODEL_WORDS[picture.model]}`,
     "Drawn by this device"];
   const {expected, actual} = picture;
   if (picture.samples === 1) {
@@ -177,24 +193,28 @@ const MODEL_WORDS = {
 
 function showFailure({message, clause, pixel, sample, expected, actual, ...failure}, picture) {
   const where = pixel ? ` First at pixel (${pixel.join(", ")}), sample ${sample ?? 0}: ` +
-      `expected ${expected}; drawn: ${actual}.` : "";
+      `expected ${readable(expected)}; drawn: ${readable(actual)}.` : "";
   show("failure", {"pictures": [], "edges": [], "failure-said": [
     `${message[0].toUpperCase()}${message.slice(1)}.${where}`],
     "failure-clause": [clause]});
   const play = parts.scene.playOf(failure.case);
   byId("failure-link").href = parts.scene.linkOf(play);
-  byId("reproduce").hidden = !picture;
-  if (!picture) {
-    byId("edges").append(made("p", isOfValues() ? "A value has no picture." :
-      "There is no picture of this case: it is too large, or in clip space.", {class: "why"}));
+  const shown = picture && !isAlike(picture);
+  byId("reproduce").hidden = !shown;
+  if (!shown) {
+    const why = isOfValues() ? "What is wrong is a number: there is no picture." : picture ?
+      "Drawn once more by itself, the case looks right here: it fails beside other drawings alone, " +
+      "so no picture shows it. The text for a bug report holds the case." :
+      "There is no picture of this case: it is too large, or in clip space.";
+    byId("edges").append(made("p", why, {class: "why"}));
     return;
   }
   const key = showPicture(picture, play, pixel ?? [picture.x, picture.y], sample ?? 0);
-  const isAlike = picture.actual.every((n, k) => n === picture.expected[k]);
-  byId("edges").append(made("p", isAlike ?
-    "Drawn once more, the case looks right here: the property compares it with other drawings." :
-    `${key} The model is the nearest of three; the verdict is of all legal ones.`,
-  {class: "why"}), ...picture.edges.map(({triangle, values}) => {
+  byId("edges").append(made("p",
+      `${key} Of legal drawings one of the nearest is shown; the verdict is of all.`, {class: "why"}));
+  if (picture.edges.length === 0) return;
+  byId("edges").append(made("p", "At the framed sample, on which side of each edge it lies (E, see " +
+      "the playground):", {class: "why"}), ...picture.edges.map(({triangle, values}) => {
     return made("p", made("code", `triangle ${triangle}: E = ${values.join(", ")}`));
   }));
 }
@@ -218,20 +238,20 @@ function showResult({result, models, picture}) {
   showModels(models);
   const clauses = new Map(failures.map(({property, clause}) => [property, clause]));
   const place = (one) => (ORDER.indexOf(outcomeOf(one)) + ORDER.length) % ORDER.length;
-  const asked = properties.filter(({outcome}) => outcome !== "not applicable");
+  const asked = properties.filter(wasAsked);
   show("verdicts", {"verdict-rows": asked.sort((a, b) => place(a) - place(b)).map((one) => {
     return made("tr", [
       made("th", made("span", one.property, {class: "name"}), {scope: "row"}),
       made("td", chip(outcomeOf(one))),
-      made("td", one.cases, {class: "number"}),
-      made("td", clauses.get(one.property) ?? one.message),
+      made("td", one.cases, {class: "number", "data-unit": one.cases === 1 ? " case" : " cases"}),
+      made("td", `${outcomeOf(one) === "quality" ? "No sentence asks for it: " : ""}${
+        clauses.get(one.property) ?? one.message}`),
     ]);
   })});
   const first = firstFailure(result);
   if (first) showFailure(first, picture);
   byId("causes").replaceChildren(...causes.map(({cause, text}) => {
-    const name = cause === "none" ? "Cause: " : `Likely cause, ${cause}: `;
-    return made("p", [made("strong", name), text]);
+    return made("p", [made("strong", `${parts.issue_text.causeWords(cause)} `), text]);
   }));
   const notAsked = properties.filter(({outcome}) => outcome === "not applicable")
       .map(({property, message}) => ({statement: property, by: message}));
@@ -251,22 +271,25 @@ const outcomeOf = ({outcome, fails}) => outcome === "violated" && !fails ? "qual
 const isOfError = (properties) => properties.every(({property, fails}) => {
   return !fails || property.endsWith("WithinTheirError");
 });
+/* What an engine calls not applicable may have been given cases: none of them was. */
+const wasAsked = ({outcome}) => outcome !== "not applicable";
 const isOfValues = () => run.asked.of === "values";
 
 function sentence(outcome, reason, result) {
   const {properties = []} = result?.subjects[0] ?? {};
-  const asked = properties.filter(({cases}) => cases > 0).length;
+  const asked = properties.filter((one) => wasAsked(one) && one.cases > 0).length;
   const failing = properties.filter(({fails}) => fails).length;
   const of = `${failing} of ${counted(asked, "property", "properties")}`;
   const lacks = properties.filter((one) => outcomeOf(one) === "quality").length;
+  const less = lacks > 0 ? ` ${lacks} found less than usual quality, which no sentence forbids.` : "";
   return {
     holds: "No sentence of the specification that was asked of this device is broken: " +
-        `${counted(asked, "property", "properties")}, no failure.${lacks > 0 ?
-          ` ${lacks} found less than usual quality, which no sentence forbids.` : ""}`,
-    violated: isOfError(properties) ?
+        `${counted(asked, "property", "properties")}, no failure.${less}`,
+    violated: `${isOfError(properties) ?
       `Pixels hold numbers that are further off than its specification's formulas in usual forms: ${
-        of} failed. No specification says how far is too far. The first is shown below.` :
-      `This device breaks what its specification says: ${of} failed. The first is shown below.`,
+        of} failed. No specification says how far is too far.` :
+      `This device breaks what its specification says: ${of} failed. Whether it is the graphics ` +
+      "chip, its driver or the browser, this page can't tell."}${less} The first is shown below.`,
     inconclusive: result && reason ?
         `No property failed, and yet nothing is said to hold: ${reason}.` :
         "This device was not judged.",
@@ -365,6 +388,12 @@ const planted = (plants) => (name, api) => {
 async function start(asked, saved) {
   port?.end();
   run = {asked};
+  // What runs is what the form says, resumed or not.
+  for (const name of ["of", "api", "samples", "cases", "seed"]) {
+    const field = byId("ask").elements[name];
+    const has = !field.options || [...field.options].some(({value}) => value === String(asked[name]));
+    if (has && asked[name] !== undefined) field.value = asked[name];
+  }
   for (const id of ["device", "model", "verdicts", "failure", "unasked", "run"]) {
     byId(id).hidden = true;
   }
@@ -442,6 +471,7 @@ async function copy() {
   try {
     await navigator.clipboard.writeText(reportText());
     byId("status").textContent = "Copied.";
+    byId("copy").textContent = "Copied";
   } catch {
     const text = made("textarea", reportText(), {rows: 8, "aria-label": "Text for a bug report"});
     byId("copy").replaceWith(text);

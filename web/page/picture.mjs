@@ -24,6 +24,21 @@ const CENTRE = [[8, 8]];
 /* In sixteenths: the standard places of D3D, Vulkan, Metal and WebGPU. */
 const PLACES = {1: CENTRE, 4: [[6, 2], [14, 6], [2, 10], [10, 14]]};
 
+/**
+ * What fails the run goes first, and of that what is a pixel of one case; a lack of quality alone
+ * is shown, too.
+ */
+export function firstFailure(result) {
+  const failures = result?.subjects[0].failures ?? [];
+  return failures.find(({fails, pixel}) => fails && pixel) ??
+      failures.find(({fails}) => fails) ?? failures[0];
+}
+
+/** Whether the case, drawn by itself, is what it should be. */
+export function isAlike({expected, actual}) {
+  return actual.every((count, k) => count === expected[k]);
+}
+
 /** What the drawers take of a case. */
 export function requestOf(play, samples) {
   const points = play.vertices.map(([x, y, z = 0, w = 1]) => [x, y, z, w]);

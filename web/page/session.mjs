@@ -15,7 +15,7 @@ import {open as openWebGl2} from "./webgl2.mjs";
 import {open as openWebGpu} from "./webgpu.mjs";
 import {prove} from "./self_proof.mjs";
 import {Engine} from "./engine.mjs";
-import {pictureOf} from "./picture.mjs";
+import {firstFailure, pictureOf} from "./picture.mjs";
 import {refusalOfCorners} from "./shading.mjs";
 
 const OPENERS = {webgl2: openWebGl2, webgpu: openWebGpu};
@@ -280,9 +280,9 @@ class Session {
   }
 
   /** Of what fails first; null if there is none. Whatever goes wrong with it, the verdict stays. */
-  async #picture({subjects: [{failures}]}) {
+  async #picture(result) {
     const {samples} = this.#asked;
-    const failure = failures.find(({fails}) => fails) ?? failures[0];
+    const failure = firstFailure(result);
     if (!failure || this.#isOfValues) return null;
     const draw = async (request) => {
       const [{counts}] = await this.#answers([request]) ?? [{}];

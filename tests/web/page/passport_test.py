@@ -98,7 +98,7 @@ class Passport(unittest.TestCase):
                     self.assertEqual(self.shown(), SECTIONS)
                     framed = self.differing()
                     if plant == "every-1000th-lost":  # not by the same case twice
-                        self.assertIn("Drawn once more, the case looks right",
+                        self.assertIn("Drawn once more by itself, the case looks right",
                                       self.page.text("edges"))  # fmt: skip
                     else:
                         self.assertGreaterEqual(framed, 1)
@@ -107,7 +107,9 @@ class Passport(unittest.TestCase):
                         drawn = certificate["picture"]["actual"][16 * y + x]
                         self.assertEqual(str(drawn), failure["actual"])
                     self.assertIn("violated", self.page.text("verdict"))
-        self.assertIn("```json", self.page.value("rasterproof.reportText()"))
+        text = self.page.value("rasterproof.reportText()")
+        self.assertIn("```json", text)
+        self.assertIn("- Failed: OneModelExplainsTheMesh\n", text)
 
     def test_a_drawer_that_loses_triangles_of_long_calls_does_not_hold(self):
         for api in ("webgpu", "webgl2"):
@@ -295,6 +297,13 @@ class Passport(unittest.TestCase):
               document.querySelector(`[name=${{name}}]`).value = value;
             document.getElementById("start").click();""")
             self.assertEqual(self.page.value("rasterproof.asked().cases"), cases)
+
+    def test_numbers_are_read_as_decimals_and_the_form_says_what_runs(self):
+        self.assertEqual(self.page.value('readable("11/16 within 0x1.801200d80a208p-13, -0x1p+0")'),
+                         "0.6875 (11/16) within 0.000183139, -1")
+        self.start("webgl2", cases=20)
+        self.certificate()
+        self.assertEqual(self.page.value('byId("ask").elements.api.value'), "webgl2")
 
     def test_without_a_worker_the_page_draws_itself(self):
         self.page.value("Worker = undefined")

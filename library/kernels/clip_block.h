@@ -17,10 +17,9 @@ struct alignas(64) ClipBlock {
   double x[3][kBlock], y[3][kBlock], z[3][kBlock], w[3][kBlock];
   /// A row at y crosses edge e at slope y + from, from with 1/2 + the error. A fraction of at least
   /// twice_error, the largest one, tells the column. An edge without a guess cuts nothing
-  /// here: CutExactly or ClipRows does.
+  /// here: CutExactly or ClipRows does. Of edge kNearEdge: where a group of lanes has one in `cut`.
   double slope[4][kBlock], from[4][kBlock], twice_error[kBlock];
   double side[4][kBlock];  ///< infinity: columns from the crossing on are inside; -infinity: before
-  double near_error[kBlock];  ///< of edge kNearEdge, whose columns are of those in `cut` alone
   double zc[kBlock], zx[kBlock], zy[kBlock];
   std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
   std::uint64_t masks[kBlock];  ///< of small ones
@@ -109,6 +108,7 @@ struct ClipGroup {
 struct ClipNormals {
   VD x, y, w;
 
+  HWY_INLINE ClipNormals(VD x_, VD y_, VD w_) : x(x_), y(y_), w(w_) {}
   HWY_INLINE ClipNormals(const ClipGroup& g, int i, int j) {
     // Products are exact: a fused difference is the same.
     x = hn::Sub(hn::Mul(g.y[j], g.w[i]), hn::Mul(g.w[j], g.y[i]));
@@ -186,36 +186,44 @@ HWY_INLINE MD StoreClipBox(const KernelView& view, const ClipGroup& g, int at, C
   return hn::And(columns, rows);
 }
 
-/// Stores where rows cross edge e, and returns twice the error of the guess.
-HWY_INLINE VD StoreClipEdge(const KernelView& view, const ClipNormals& n, MD front, int e, int at,
-                            ClipBlock& block) {
+/// Stores where rows cross edge e of the lanes `cuts`; error_of(unit, rows, reciprocal) is that of
+/// the guess. Returns twice the error.
+template <class ErrorOf>
+HWY_INLINE VD StoreCrossing(const KernelView& view, const ClipNormals& n, MD front, MD cuts, int e,
+                            int at, ClipBlock& block, const ErrorOf& error_of) {
   const DD dd;
-  const VD zero = hn::Zero(dd);
   const VD reciprocal = hn::Div(hn::Set(dd, -1.0), n.x);
   const VD slope = hn::Mul(n.y, reciprocal);
   const VD from = hn::Mul(n.w, reciprocal);
   const VD rows = hn::Set(dd, static_cast<double>(view.height));
   const VD unit = hn::Add(hn::MulAdd(hn::Abs(slope), rows, hn::Abs(from)), hn::Set(dd, 1.0));
-  const VD error = hn::Mul(unit, hn::Set(dd, kClipCrossingError));
-  const MD tells = hn::Lt(error, hn::Set(dd, kClipWorstGuess));  // not if NaN
-  const MD parallel = hn::Eq(n.x, zero);
-  const MD is_left = hn::Or(hn::Not(tells), hn::Xor(hn::Lt(n.x, zero), front));
+  const VD error = error_of(unit, rows, reciprocal);
+  const MD tells = hn::And(cuts, hn::Lt(error, hn::Set(dd, kClipWorstGuess)));  // not if NaN
+  const MD is_left = hn::Or(hn::Not(tells), hn::Xor(hn::Lt(n.x, hn::Zero(dd)), front));
   const VD infinity = hn::Set(dd, __builtin_inf());
   // Nothing is before the column of -3/4.
   const VD offset = hn::Add(from, hn::Add(hn::Set(dd, 0.5), error));
   hn::Store(hn::IfThenElseZero(tells, slope), dd, block.slope[e] + at);
   hn::Store(hn::IfThenElse(tells, offset, hn::Set(dd, -0.75)), dd, block.from[e] + at);
   hn::Store(hn::IfThenElse(is_left, infinity, hn::Neg(infinity)), dd, block.side[e] + at);
-  block.parallel[e] |= Bits32(parallel) << at;
-  block.searched[e] |= Bits32(hn::Not(hn::Or(tells, parallel))) << at;
+  block.searched[e] |= Bits32(hn::AndNot(tells, cuts)) << at;
   return hn::IfThenElseZero(tells, hn::Add(error, error));
 }
 
-/// Stores where rows cross the near plane, of the lanes that it cuts.
-HWY_INLINE void StoreNearEdge(const KernelView& view, const ClipGroup& g, const ClipNormals (&n)[3],
-                              MD front, MD cut, int at, ClipBlock& block) {
+HWY_INLINE VD StoreClipEdge(const KernelView& view, const ClipNormals& n, MD front, int e, int at,
+                            ClipBlock& block) {
   const DD dd;
-  const VD zero = hn::Zero(dd);
+  const MD crosses = hn::Ne(n.x, hn::Zero(dd));
+  block.parallel[e] |= Bits32(hn::Not(crosses)) << at;
+  return StoreCrossing(view, n, front, crosses, e, at, block, [&](VD unit, VD, VD) {
+    return hn::Mul(unit, hn::Set(dd, kClipCrossingError));
+  });
+}
+
+/// The same of the near plane, of the lanes that it cuts.
+HWY_INLINE VD StoreNearEdge(const KernelView& view, const ClipGroup& g, const ClipNormals (&n)[3],
+                            MD front, MD cut, int at, ClipBlock& block) {
+  const DD dd;
   VD factor[3];
   for (int k = 0; k < 3; ++k) {
     factor[k] = view.near_plane == NearPlane::kMinusW ? hn::Add(g.z[k], g.w[k]) : g.z[k];
@@ -227,27 +235,15 @@ HWY_INLINE void StoreNearEdge(const KernelView& view, const ClipGroup& g, const 
     return hn::Add(hn::Add(terms[0], terms[1]), terms[2]);
   };
   VD size_x, size_y, size_w;
-  const VD x = sum(n[0].x, n[1].x, n[2].x, size_x);
-  const VD y = sum(n[0].y, n[1].y, n[2].y, size_y);
-  const VD w = sum(n[0].w, n[1].w, n[2].w, size_w);
-  const VD reciprocal = hn::Div(hn::Set(dd, -1.0), x);
-  const VD slope = hn::Mul(y, reciprocal);
-  const VD from = hn::Mul(w, reciprocal);
-  const VD rows = hn::Set(dd, static_cast<double>(view.height));
-  const VD unit = hn::Add(hn::MulAdd(hn::Abs(slope), rows, hn::Abs(from)), hn::Set(dd, 1.0));
-  const VD sizes = hn::MulAdd(size_x, unit, hn::MulAdd(size_y, rows, size_w));
-  const VD moved =
-      hn::Mul(hn::Mul(sizes, hn::Abs(reciprocal)), hn::Set(dd, kClipNearCrossingError));
-  const VD error = hn::MulAdd(unit, hn::Set(dd, kClipCrossingError), moved);
-  const MD tells = hn::Lt(error, hn::Set(dd, kClipWorstGuess));  // not if NaN
-  const MD is_left = hn::Xor(hn::Lt(x, zero), front);
-  const VD infinity = hn::Set(dd, __builtin_inf());
-  hn::Store(hn::IfThenElseZero(tells, slope), dd, block.slope[kNearEdge] + at);
-  hn::Store(hn::IfThenElseZero(tells, hn::Add(from, hn::Add(hn::Set(dd, 0.5), error))), dd,
-            block.from[kNearEdge] + at);
-  hn::Store(hn::IfThenElse(is_left, infinity, hn::Neg(infinity)), dd, block.side[kNearEdge] + at);
-  hn::Store(hn::Add(error, error), dd, block.near_error + at);
-  block.searched[kNearEdge] |= Bits32(hn::AndNot(tells, cut)) << at;
+  const ClipNormals near{sum(n[0].x, n[1].x, n[2].x, size_x), sum(n[0].y, n[1].y, n[2].y, size_y),
+                         sum(n[0].w, n[1].w, n[2].w, size_w)};
+  const auto error_of = [&](VD unit, VD rows, VD reciprocal) {
+    const VD sizes = hn::MulAdd(size_x, unit, hn::MulAdd(size_y, rows, size_w));
+    const VD moved =
+        hn::Mul(hn::Mul(sizes, hn::Abs(reciprocal)), hn::Set(dd, kClipNearCrossingError));
+    return hn::MulAdd(unit, hn::Set(dd, kClipCrossingError), moved);
+  };
+  return StoreCrossing(view, near, front, cut, kNearEdge, at, block, error_of);
 }
 
 /// D of each lane, its sign certain; and if kNeedsPlane within a relative 2^-24.6.
@@ -306,13 +302,14 @@ HWY_INLINE MD AreSmall(const ClipBlock& block, int at, MD drawn, int& rows) {
 }
 
 /// Finds the masks of small triangles, one a lane. Returns the lanes whose every guess tells.
+template <int kEdges>
 HWY_INLINE MD FindClipMasks(MD small, int rows, int at, ClipBlock& block) {
   const DD dd;
   const DDI di;
   const hn::Rebind<std::uint64_t, DD> du;
   const hn::Rebind<std::uint32_t, DD> dn;
-  VD slope[3], from[3], side[3];
-  for (int e = 0; e < 3; ++e) {
+  VD slope[kEdges], from[kEdges], side[kEdges];
+  for (int e = 0; e < kEdges; ++e) {
     slope[e] = hn::Load(dd, block.slope[e] + at);
     from[e] = hn::Load(dd, block.from[e] + at);
     side[e] = hn::Load(dd, block.side[e] + at);
@@ -337,7 +334,7 @@ HWY_INLINE MD FindClipMasks(MD small, int rows, int at, ClipBlock& block) {
     const MD valid = hn::Le(y, last_y);
     VD first = begin;
     VD last = end;
-    for (int e = 0; e < 3; ++e) {
+    for (int e = 0; e < kEdges; ++e) {
       const VD guess = hn::Min(hn::Max(hn::MulAdd(y, slope[e], from[e]), least), most);
       const VD column = hn::Floor(guess);
       fraction = hn::Min(fraction, hn::IfThenElse(valid, hn::Sub(guess, column), half));
@@ -351,49 +348,6 @@ HWY_INLINE MD FindClipMasks(MD small, int rows, int at, ClipBlock& block) {
   }
   hn::Store(mask, du, block.masks + at);
   return hn::And(small, hn::Ge(fraction, hn::Load(dd, block.twice_error + at)));
-}
-
-/// Cuts the masks of small triangles by the near plane. Returns those of `small` whose every guess
-/// tells.
-inline HWY_NOINLINE std::uint32_t CutClipMasks(std::uint32_t small, int rows, int at,
-                                               ClipBlock& block) {
-  const DD dd;
-  const DDI di;
-  const hn::Rebind<std::uint64_t, DD> du;
-  const hn::Rebind<std::uint32_t, DD> dn;
-  const VD slope = hn::Load(dd, block.slope[kNearEdge] + at);
-  const VD from = hn::Load(dd, block.from[kNearEdge] + at);
-  const MD is_left = hn::Gt(hn::Load(dd, block.side[kNearEdge] + at), hn::Zero(dd));
-  const MD is_cut = MaskOf(dd, (block.cut >> at) & small);
-  const auto load = [&](const std::int32_t* p) { return hn::PromoteTo(dd, hn::Load(di, p + at)); };
-  const VD begin = load(block.x0);
-  const VD half = hn::Set(dd, 0.5);
-  // Beyond these a guess tells, as their fractions do.
-  const VD least = hn::Sub(begin, half);
-  const VD most = hn::Add(load(block.x1), half);
-  const VD last_y = hn::Sub(load(block.y1), half);
-  VD y = hn::Add(load(block.y0), half);
-  VD fraction = half;
-  const auto one = hn::Set(du, std::uint64_t{1});
-  const auto all = hn::Set(du, std::uint64_t{0xff});
-  auto inside = hn::Zero(du);
-  for (int r = 0; r < rows; ++r) {
-    const VD guess = hn::Min(hn::Max(hn::MulAdd(y, slope, from), least), most);
-    const VD column = hn::Floor(guess);
-    const MD asked = hn::And(is_cut, hn::Le(y, last_y));
-    fraction = hn::Min(fraction, hn::IfThenElse(asked, hn::Sub(guess, column), half));
-    const VD columns = hn::Max(hn::Sub(column, begin), hn::Zero(dd));
-    const auto n = hn::PromoteTo(du, hn::BitCast(dn, hn::DemoteTo(di, columns)));
-    const auto before = hn::And(hn::Sub(hn::Shl(one, n), one), all);
-    const auto row = hn::IfThenElse(hn::RebindMask(du, is_left), hn::Xor(before, all), before);
-    inside = hn::Or(inside, hn::ShiftLeftSame(row, 8 * r));
-    y = hn::Add(y, hn::Set(dd, 1.0));
-  }
-  const auto masks = hn::Load(du, block.masks + at);
-  hn::Store(hn::IfThenElse(hn::RebindMask(du, is_cut), hn::And(masks, inside), masks), du,
-            block.masks + at);
-  return small &
-         Bits32(hn::Ge(fraction, hn::IfThenElseZero(is_cut, hn::Load(dd, block.near_error + at))));
 }
 
 template <bool kNeedsPlane>
@@ -427,17 +381,19 @@ HWY_INLINE void SetUpClip(const KernelView& view, const std::uint32_t* indices, 
     for (int e = 0; e < 3; ++e) {
       twice_error = hn::Max(twice_error, StoreClipEdge(view, n[e], is_front, e, at, block));
     }
+    if (HWY_UNLIKELY(cut_bits != 0)) {
+      twice_error = hn::Max(twice_error, StoreNearEdge(view, g, n, is_front, cut, at, block));
+    }
     hn::Store(twice_error, dd, block.twice_error + at);
     if constexpr (kNeedsPlane) StoreClipPlane(g, n, determinant, at, block);
-    if (HWY_UNLIKELY(cut_bits != 0)) StoreNearEdge(view, g, n, is_front, cut, at, block);
     std::uint32_t others = block.searched[kNearEdge];
     for (int e = 0; e < 3; ++e) others |= block.parallel[e] | block.searched[e];
     int rows = 0;
     const MD small = AreSmall(block, at, MaskOf(dd, drawn & ~(others >> at)), rows);
     if (rows == 0) continue;
-    std::uint32_t told = Bits32(FindClipMasks(small, rows, at, block));
-    if (HWY_UNLIKELY((cut_bits & told) != 0)) told = CutClipMasks(told, rows, at, block);
-    block.small |= told << at;
+    const MD told = HWY_UNLIKELY(cut_bits != 0) ? FindClipMasks<4>(small, rows, at, block)
+                                                : FindClipMasks<3>(small, rows, at, block);
+    block.small |= Bits32(told) << at;
   }
 }
 

@@ -37,35 +37,6 @@ inline HWY_NOINLINE VD ResolveClip(const KernelView& view, const ClipBlock& bloc
   return hn::Load(dd, columns);
 }
 
-/// Cuts rows from `row` on by the near plane, where a guess tells or is decided.
-inline HWY_NOINLINE void CutNear(const KernelView& view, const ClipBlock& block, int i, int row,
-                                 int rows, std::int32_t* first, std::int32_t* last) {
-  const DD dd;
-  const DDI di;
-  const VD slope = hn::Set(dd, block.slope[kNearEdge][i]);
-  const VD from = hn::Set(dd, block.from[kNearEdge][i]);
-  const VD side = hn::Set(dd, block.side[kNearEdge][i]);
-  const VD twice_error = hn::Set(dd, block.near_error[i]);
-  for (int at = 0; at < rows; at += kDoubles) {
-    const std::uint64_t valid = (std::uint64_t{1} << Least(kDoubles, rows - at)) - 1;
-    const VD y = DoublesFrom(row + at + 0.5);
-    // Beyond these a guess tells, as their fractions do.
-    const VD guess = hn::Min(hn::Max(hn::MulAdd(y, slope, from), hn::Set(dd, -1.5)),
-                             hn::Set(dd, view.width + 1.5));
-    VD column = hn::Floor(guess);
-    const std::uint64_t open = MaskBits(dd, hn::Lt(hn::Sub(guess, column), twice_error)) & valid;
-    if (HWY_UNLIKELY(open != 0)) {
-      column = ResolveClip(view, block, i, kNearEdge, row + at, column, open);
-    }
-    const VD begin = hn::PromoteTo(dd, hn::Load(di, first + at));
-    const VD end = hn::PromoteTo(dd, hn::Load(di, last + at));
-    const VD from_column = hn::Max(begin, hn::Min(column, side));
-    const VD to_column = hn::Min(end, hn::Max(column, side));
-    hn::Store(hn::DemoteTo(di, from_column), di, first + at);
-    hn::Store(hn::DemoteTo(di, hn::Max(from_column, to_column)), di, last + at);
-  }
-}
-
 /// Cuts rows from `row` on by the edges that have no guess, each row searched exactly.
 inline HWY_NOINLINE void CutExactly(const KernelView& view, const ClipBlock& block, int i, int row,
                                     int rows, std::int32_t* first, std::int32_t* last) {
@@ -79,55 +50,78 @@ inline HWY_NOINLINE void CutExactly(const KernelView& view, const ClipBlock& blo
   }
 }
 
-/// Where rows cross the three edges of a triangle.
-struct ClipCrossings {
-  VD slope[3], from[3], side[3];
-  VD begin, end, most, twice_error;
-
+/// Where rows cross the edges of a triangle, kNearEdge among four.
+template <int kEdges>
+class ClipCrossings {
+ public:
   HWY_INLINE ClipCrossings(const KernelView& view, const ClipBlock& block, int i) {
     const DD dd;
-    for (int e = 0; e < 3; ++e) {
-      slope[e] = hn::Set(dd, block.slope[e][i]);
-      from[e] = hn::Set(dd, block.from[e][i]);
-      side[e] = hn::Set(dd, block.side[e][i]);
+    for (int e = 0; e < kEdges; ++e) {
+      slope_[e] = hn::Set(dd, block.slope[e][i]);
+      from_[e] = hn::Set(dd, block.from[e][i]);
+      side_[e] = hn::Set(dd, block.side[e][i]);
     }
-    begin = hn::Set(dd, static_cast<double>(block.x0[i]));
-    end = hn::Set(dd, static_cast<double>(block.x1[i]));
-    most = hn::Set(dd, view.width + 1.5);
-    twice_error = hn::Set(dd, block.twice_error[i]);
+    begin_ = hn::Set(dd, static_cast<double>(block.x0[i]));
+    end_ = hn::Set(dd, static_cast<double>(block.x1[i]));
+    most_ = hn::Set(dd, view.width + 1.5);
+    twice_error_ = hn::Set(dd, block.twice_error[i]);
   }
 
-  /// Columns [first, last) of kDoubles rows from `row` on, of which `valid` are asked for.
-  HWY_INLINE void Find(const KernelView& view, const ClipBlock& block, int i, int row,
-                       std::uint64_t valid, VDI& first, VDI& last) const {
+  /// Columns [first, last) of `rows` rows from `row` on. Written are whole vectors.
+  HWY_INLINE void Find(const KernelView& view, const ClipBlock& block, int i, int row, int rows,
+                       std::int32_t* first, std::int32_t* last) const {
+    for (int at = 0; at < rows; at += kDoubles) {
+      const std::uint64_t valid = (std::uint64_t{1} << Least(kDoubles, rows - at)) - 1;
+      VDI from_column, to_column;
+      FindSome(view, block, i, row + at, valid, from_column, to_column);
+      hn::Store(from_column, DDI(), first + at);
+      hn::Store(to_column, DDI(), last + at);
+    }
+  }
+
+ private:
+  /// Of kDoubles rows, of which `valid` are asked for.
+  HWY_INLINE void FindSome(const KernelView& view, const ClipBlock& block, int i, int row,
+                           std::uint64_t valid, VDI& first, VDI& last) const {
     const DD dd;
     const DDI di;
     const VD y = DoublesFrom(row + 0.5);
     // Beyond these a guess tells, as their fractions do.
     const VD least = hn::Set(dd, -1.5);
-    VD guess[3], column[3];
-    for (int e = 0; e < 3; ++e) {
-      guess[e] = hn::Min(hn::Max(hn::MulAdd(y, slope[e], from[e]), least), most);
+    VD guess[kEdges], column[kEdges];
+    for (int e = 0; e < kEdges; ++e) {
+      guess[e] = hn::Min(hn::Max(hn::MulAdd(y, slope_[e], from_[e]), least), most_);
       column[e] = hn::Floor(guess[e]);
       guess[e] = hn::Sub(guess[e], column[e]);
     }
-    const VD fraction = hn::Min(hn::Min(guess[0], guess[1]), guess[2]);
-    if (HWY_UNLIKELY((MaskBits(dd, hn::Lt(fraction, twice_error)) & valid) != 0)) {
-      for (int e = 0; e < 3; ++e) {
-        const std::uint64_t open = MaskBits(dd, hn::Lt(guess[e], twice_error)) & valid;
+    VD fraction = guess[0];
+    for (int e = 1; e < kEdges; ++e) fraction = hn::Min(fraction, guess[e]);
+    if (HWY_UNLIKELY((MaskBits(dd, hn::Lt(fraction, twice_error_)) & valid) != 0)) {
+      for (int e = 0; e < kEdges; ++e) {
+        const std::uint64_t open = MaskBits(dd, hn::Lt(guess[e], twice_error_)) & valid;
         if (open != 0) column[e] = ResolveClip(view, block, i, e, row, column[e], open);
       }
     }
-    VD from_column = begin;
-    VD to_column = end;
-    for (int e = 0; e < 3; ++e) {  // by sides of infinity, without a branch
-      from_column = hn::Max(from_column, hn::Min(column[e], side[e]));
-      to_column = hn::Min(to_column, hn::Max(column[e], side[e]));
+    VD from_column = begin_;
+    VD to_column = end_;
+    for (int e = 0; e < kEdges; ++e) {  // by sides of infinity, without a branch
+      from_column = hn::Max(from_column, hn::Min(column[e], side_[e]));
+      to_column = hn::Min(to_column, hn::Max(column[e], side_[e]));
     }
     first = hn::DemoteTo(di, from_column);
     last = hn::DemoteTo(di, hn::Max(from_column, to_column));
   }
+
+  VD slope_[kEdges], from_[kEdges], side_[kEdges];
+  VD begin_, end_, most_, twice_error_;
 };
+
+/// The columns of a triangle that the near plane cuts.
+inline HWY_NOINLINE void FindCutColumns(const KernelView& view, const ClipBlock& block, int i,
+                                        int row, int rows, std::int32_t* first,
+                                        std::int32_t* last) {
+  ClipCrossings<4>(view, block, i).Find(view, block, i, row, rows, first, last);
+}
 
 template <class Sink>
 HWY_INLINE void DrawClipTriangle(const KernelView& view, const ClipBlock& block, int i,
@@ -143,20 +137,17 @@ HWY_INLINE void DrawClipTriangle(const KernelView& view, const ClipBlock& block,
   }
   const std::uint32_t searched = block.searched[0] | block.searched[1] | block.searched[2];
   const bool has_exact = block.Has(searched | block.searched[kNearEdge], i);
-  const bool is_cut = block.Has(block.cut & ~block.searched[kNearEdge], i);
-  const ClipCrossings crossings(view, block, i);
+  const bool is_cut = block.Has(block.cut, i);
+  const ClipCrossings<3> crossings(view, block, i);
   sink.Begin(triangle, is_front, block.PlaneOf(i));
   alignas(64) std::int32_t first[kRowsAtOnce], last[kRowsAtOnce];
   for (int row = y0; row < y1; row += kRowsAtOnce) {
     const int rows = Least(kRowsAtOnce, y1 - row);
-    for (int at = 0; at < rows; at += kDoubles) {
-      const std::uint64_t valid = (std::uint64_t{1} << Least(kDoubles, rows - at)) - 1;
-      VDI from, to;
-      crossings.Find(view, block, i, row + at, valid, from, to);
-      hn::Store(from, DDI(), first + at);
-      hn::Store(to, DDI(), last + at);
+    if (HWY_UNLIKELY(is_cut)) {
+      FindCutColumns(view, block, i, row, rows, first, last);
+    } else {
+      crossings.Find(view, block, i, row, rows, first, last);
     }
-    if (HWY_UNLIKELY(is_cut)) CutNear(view, block, i, row, rows, first, last);
     if (HWY_UNLIKELY(has_exact)) CutExactly(view, block, i, row, rows, first, last);
     Emit(sink, block.x1[i] - block.x0[i], row, rows, first, last);
   }

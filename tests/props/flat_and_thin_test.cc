@@ -184,7 +184,7 @@ TEST(FlatAndThinTriangles, HoldWhereTheyCoverTheirEdgesOrNothing) {
       for (const std::string_view set : kSets) {
         for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
           FakeSubject subject = DrawnBy(set, place, way.is, way.instead);
-          EXPECT_EQ(JointOutcome(subject, seed, RunsMore() ? 1000 : 50), Outcome::kHolds)
+          EXPECT_EQ(JointOutcome(subject, seed, RunsMore() ? 1000 : 100), Outcome::kHolds)
               << way.words << ", " << SnapRuleName(rule) << ", " << set << ", seed " << seed;
         }
       }

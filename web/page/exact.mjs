@@ -31,21 +31,7 @@ export function edgesAt(corners, point) {
   });
 }
 
-const areaOf = (edges) => edges[0].value + edges[1].value + edges[2].value;
-
-/** 1 counter-clockwise on screen and covered, -1 clockwise and covered, else 0: top-left. */
-export function covers(corners, point) {
-  const edges = edgesAt(corners, point);
-  const area = areaOf(edges);
-  if (area === 0n) return 0;
-  const sign = area > 0n ? 1n : -1n;
-  const isInside = edges.every(({value, dx, dy}) => {
-    const [inward, x, y] = [sign * value, sign * dx, sign * dy];
-    // Left: the interior is to its right. Top: level, with the interior below.
-    return inward > 0n || (inward === 0n && (y > 0n || (y === 0n && x < 0n)));
-  });
-  return isInside ? Number(sign) : 0;
-}
+export const areaOf = (edges) => edges[0].value + edges[1].value + edges[2].value;
 
 /** Whether the point lies on the boundary of a triangle that has an area. */
 export function isTie(corners, point) {
@@ -54,12 +40,4 @@ export function isTie(corners, point) {
   if (area === 0n) return false;
   const inward = edges.map(({value}) => area > 0n ? value : -value);
   return inward.every((value) => value >= 0n) && inward.some((value) => value === 0n);
-}
-
-/** n / d in lowest terms, as the engine writes it. */
-export function fraction(n, d) {
-  let [a, b] = [n < 0n ? -n : n, d < 0n ? -d : d];
-  while (b !== 0n) [a, b] = [b, a % b];
-  const [top, bottom] = d < 0n ? [-n / a, -d / a] : [n / a, d / a];
-  return bottom === 1n ? `${top}` : `${top}/${bottom}`;
 }

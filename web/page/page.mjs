@@ -34,7 +34,7 @@ function show(section, lists) {
   for (const [id, children] of Object.entries(lists)) byId(id).replaceChildren(...children);
 }
 
-/** Numbers of a sentence as people read them; as written behind, where that says more. */
+/** Numbers of a sentence as people read them; fractions, which are exact, stand behind. */
 function readable(text) {
   const decimal = (number) => String(Number(number.toPrecision(6)));
   const hexadecimal = /(-?)0x([0-9a-f]+)(?:\.([0-9a-f]+))?p([+-]?\d+)/g;
@@ -42,9 +42,7 @@ function readable(text) {
     const digits = parseInt(whole + rest, 16) * 2 ** (Number(exponent) - 4 * rest.length);
     return decimal(sign ? -digits : digits);
   });
-  return plain.replace(/(-?\d+)\/(\d+)/g, (all, n, d) => {
-    return Number(d) > 0 ? `${decimal(n / d)} (${all})` : all;
-  });
+  return plain.replace(/(-?\d+)\/([1-9]\d*)/g, (all, n, d) => `${decimal(n / d)} (${all})`);
 }
 
 const counted = (count, one, more) => `${count} ${count === 1 ? one : more}`;
@@ -103,7 +101,7 @@ function showDevice({info}) {
       `ordinary: a corner may arrive ${error} pixels off, in 256 x 256`;
   show("device", {"proof": [], "device-facts": facts([
     ["Adapter", adapter.join(" · ") || "not said"],
-    ...(/swiftshader|llvmpipe|warp|basic render/i.test(adapter.join(" ")) ? [["Which is",
+    ...(/swiftshader|llvmpipe|\bwarp\b|basic render/i.test(adapter.join(" ")) ? [["Which is",
       "a program on the processor, not your graphics card: to judge the card, turn on hardware " +
       "acceleration in the browser's settings"]] : []),
     ["Subpixel bits, as the driver says", info.subpixelBits ?? "not said"],
@@ -203,8 +201,8 @@ function showFailure({message, clause, pixel, sample, expected, actual, ...failu
   byId("reproduce").hidden = !shown;
   if (!shown) {
     const why = isOfValues() ? "What is wrong is a number: there is no picture." : picture ?
-      "Drawn once more by itself, the case looks right here: it fails beside other drawings alone, " +
-      "so no picture shows it. The text for a bug report holds the case." :
+      "Drawn once more by itself, the case looks right here: it fails beside other drawings, or not " +
+      "each time, so no picture shows it. The text for a bug report holds the case." :
       "There is no picture of this case: it is too large, or in clip space.";
     byId("edges").append(made("p", why, {class: "why"}));
     return;
@@ -271,7 +269,7 @@ const outcomeOf = ({outcome, fails}) => outcome === "violated" && !fails ? "qual
 const isOfError = (properties) => properties.every(({property, fails}) => {
   return !fails || property.endsWith("WithinTheirError");
 });
-/* What an engine calls not applicable may have been given cases: none of them was. */
+/* Not applicable is also what was given cases of which none applied. */
 const wasAsked = ({outcome}) => outcome !== "not applicable";
 const isOfValues = () => run.asked.of === "values";
 
@@ -388,7 +386,7 @@ const planted = (plants) => (name, api) => {
 async function start(asked, saved) {
   port?.end();
   run = {asked};
-  // What runs is what the form says, resumed or not.
+  // What runs is what the form says, resumed or not, where it can say it.
   for (const name of ["of", "api", "samples", "cases", "seed"]) {
     const field = byId("ask").elements[name];
     const has = !field.options || [...field.options].some(({value}) => value === String(asked[name]));
@@ -471,7 +469,6 @@ async function copy() {
   try {
     await navigator.clipboard.writeText(reportText());
     byId("status").textContent = "Copied.";
-    byId("copy").textContent = "Copied";
   } catch {
     const text = made("textarea", reportText(), {rows: 8, "aria-label": "Text for a bug report"});
     byId("copy").replaceWith(text);

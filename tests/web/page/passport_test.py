@@ -298,6 +298,17 @@ class Passport(unittest.TestCase):
             document.getElementById("start").click();""")
             self.assertEqual(self.page.value("rasterproof.asked().cases"), cases)
 
+    def test_a_failure_at_a_pixel_is_shown_before_one_without(self):
+        for failures, first in (("[quality, list, pixel]", "pixel"), ("[quality, list]", "list"),
+                                ("[quality]", "quality"), ("[]", None)):  # fmt: skip
+            self.assertEqual(self.page.value(f"""(() => {{
+              const quality = {{name: "quality", fails: false, pixel: [0, 0]}};
+              const list = {{name: "list", fails: true}};
+              const pixel = {{name: "pixel", fails: true, pixel: [1, 2]}};
+              const result = {{subjects: [{{failures: {failures}}}]}};
+              return rasterproof.modules().picture.firstFailure(result)?.name ?? null;
+            }})()"""), first)  # fmt: skip
+
     def test_numbers_are_read_as_decimals_and_the_form_says_what_runs(self):
         self.assertEqual(self.page.value('readable("11/16 within 0x1.801200d80a208p-13, -0x1p+0")'),
                          "0.6875 (11/16) within 0.000183139, -1")

@@ -3,7 +3,7 @@
  * one property, and beyond it `model`. It draws meshes with shared edges
  * and holds every count against models with 4 to 8 subpixel bits, decided in integers.
  */
-import {covers, edgesAt, fraction, scaled} from "./exact.mjs";
+import {areaOf, edgesAt, scaled} from "./exact.mjs";
 
 const SIDE = 16;
 const MODEL_CASES = 60;
@@ -55,21 +55,32 @@ function nearestEven(x) {
 /** A float32 coordinate on the model's grid, as an integer. */
 function snapped(x, {bits, form}) {
   const steps = 2 ** bits;
-  const onGrid = form === "x" ? nearestEven(x * steps) :
-                                nearestEven(Math.fround(x - 0.5) * steps) + steps / 2;
-  return onGrid;
+  return form === "x" ? nearestEven(x * steps) :
+                        nearestEven(Math.fround(x - 0.5) * steps) + steps / 2;
 }
 
-/** Of points of one grid, whose products are exact: 1 counter-clockwise, -1 clockwise, else 0. */
-function coversOnGrid([a, b, c], [x, y]) {
-  const area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  const sign = -Math.sign(area);
-  for (const [from, to] of [[b, c], [c, a], [a, b]]) {
-    const [dx, dy] = [sign * (to[0] - from[0]), sign * (to[1] - from[1])];
-    const value = (x - from[0]) * dy - (y - from[1]) * dx;
-    if (value < 0 || (value === 0 && (dy < 0 || (dy === 0 && dx >= 0)))) return 0;
-  }
-  return sign;
+/**
+ * 1 counter-clockwise on screen and covered, -1 clockwise and covered, else 0: top-left. Of BigInts,
+ * or of numbers whose products are exact.
+ */
+function covers(corners, point) {
+  const edges = edgesAt(corners, point);
+  const area = areaOf(edges);
+  const isInside = edges.every((edge) => {
+    const [inward, x, y] = [edge.value, edge.dx, edge.dy].map((v) => area > 0 ? v : -v);
+    // Left: the interior is to its right. Top: level, with the interior below.
+    return inward > 0 || (inward >= 0 && (y > 0 || (y >= 0 && x < 0)));
+  });
+  if (!isInside) return 0;
+  return area > 0 ? 1 : area < 0 ? -1 : 0;
+}
+
+/** n / d in lowest terms, as the engine writes it. */
+function fraction(n, d) {
+  let [a, b] = [n < 0n ? -n : n, d < 0n ? -d : d];
+  while (b !== 0n) [a, b] = [b, a % b];
+  const [top, bottom] = d < 0n ? [-n / a, -d / a] : [n / a, d / a];
+  return bottom === 1n ? `${top}` : `${top}/${bottom}`;
 }
 
 /** Where a corner lies matters most at centres, and half way between two points of a grid. */
@@ -124,7 +135,7 @@ function expected(request, model) {
       const place = PLACES[samples][k % samples];
       const column = (16 * (pixel % width) + place[0]) * unit;
       const row = (16 * Math.floor(pixel / width) + place[1]) * unit;
-      const sign = coversOnGrid(corners, [column, row]);
+      const sign = covers(corners, [column, row]);
       if (sign !== 0) ++counts[sign > 0 ? k : size + k];
     }
   }

@@ -201,7 +201,7 @@ std::array<Method, 5> MakeRows() {
   rows.front().info.proofs = EdgeProofs(EdgeArithmetic::kDirect);
   for (std::size_t k = 1; k < rows.size(); ++k) rows[k].info.proofs = HomogeneousProofs();
   rows.back().info.states_exact = true;
-  rows.back().info.proofs.push_back(ClipKernelProof());
+  for (const Proof& proof : ClipKernelProofs()) rows.back().info.proofs.push_back(proof);
   rows.back().whole = &DrawWholeFromClip;
   return rows;
 }

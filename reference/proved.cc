@@ -95,11 +95,13 @@ std::vector<Proof> HomogeneousProofs() {
        "homogeneous.g"}};
 }
 
-Proof ClipKernelProof() {
+std::vector<Proof> ClipKernelProofs() {
   return {
-      "crossings of rows and edges of (x, y, w), their values and D = V0 . (V2 x V1) are off by "
-      "less than the errors beyond which they decide",
-      "clip_kernel.g"};
+      {"crossings of rows and edges of (x, y, w), their values and D = V0 . (V2 x V1) are off by "
+       "less than the errors beyond which they decide",
+       "clip_kernel.g"},
+      {"corners projected in float32, and crossings guessed from them, are off by less than that",
+       "clip_floats.g"}};
 }
 
 std::vector<Proof> BarycentricProofs() {

@@ -27,7 +27,7 @@ std::vector<Proof> CrossingProofs();
 std::vector<Proof> HomogeneousProofs();
 
 /// Of the kernel of clip space: what it guesses, and the filters of its exact decisions.
-Proof ClipKernelProof();
+std::vector<Proof> ClipKernelProofs();
 
 /// Of ReferenceBarycentrics, in either precision.
 std::vector<Proof> BarycentricProofs();

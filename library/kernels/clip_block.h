@@ -7,11 +7,15 @@
 
 #include "library/kernels/blocks.h"
 #include "library/kernels/clip_errors.h"
+#include "library/kernels/clip_floats.h"
 #include "library/kernels/exact_crossings.h"
 #include "library/kernels/kernel_table.h"
 #include "library/kernels/vectors.h"
 
 namespace rasterproof::library::kernels::HWY_NAMESPACE {
+
+/// Blocks that float32 is not asked of after one of which it told nothing.
+constexpr int kLeftOut = 7;
 
 struct alignas(64) ClipBlock {
   double x[3][kBlock], y[3][kBlock], z[3][kBlock], w[3][kBlock];
@@ -20,13 +24,20 @@ struct alignas(64) ClipBlock {
   /// here: CutExactly or ClipRows does. Of edge kNearEdge: where a group of lanes has one in `cut`.
   double slope[4][kBlock], from[4][kBlock], twice_error[kBlock];
   double side[4][kBlock];  ///< infinity: columns from the crossing on are inside; -infinity: before
+  double row_of[3][kBlock];  ///< corners' y / w; of `stepped`
   double zc[kBlock], zx[kBlock], zy[kBlock];
   std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
   std::uint64_t masks[kBlock];  ///< of small ones
+  NearBlock near_rows;
+  const std::uint32_t* indices;
+  int left_out = 0;
   // Bit i is triangle i.
   std::uint32_t drawn;
   std::uint32_t front;
   std::uint32_t small;        ///< box at most 8x8, and no row that a guess does not tell
+  std::uint32_t near;         ///< of near_rows
+  std::uint32_t stepped;      ///< before the eye, no corner beyond kSteppedSide
+  std::uint32_t in_double;    ///< of which edges are set up
   std::uint32_t cut;          ///< by the near plane
   std::uint32_t parallel[3];  ///< to the rows: there is no crossing
   std::uint32_t searched[4];  ///< of the others, and of `cut`, those without a guess
@@ -42,6 +53,7 @@ struct alignas(64) ClipBlock {
     t.near_plane = view.near_plane;
     return t;
   }
+  HWY_INLINE Box BoxOf(int i) const { return {x0[i], x1[i], y0[i], y1[i]}; }
   HWY_INLINE ClipPlane PlaneOf(int i) const { return {zc[i], zx[i], zy[i]}; }
   HWY_INLINE bool Has(std::uint32_t bits, int i) const { return ((bits >> i) & 1) != 0; }
 };
@@ -117,6 +129,8 @@ struct ClipNormals {
   }
 };
 
+constexpr std::uint32_t kAllDoubles = (1U << kDoubles) - 1;
+
 HWY_INLINE std::uint32_t Bits32(MD mask) {
   return static_cast<std::uint32_t>(MaskBits(DD(), mask));
 }
@@ -150,9 +164,10 @@ HWY_INLINE MD MayBeSeen(const KernelView& view, const ClipGroup& g, MD& cut) {
   return hn::And(seen, hn::Eq(sum, zero));
 }
 
-/// Stores the boxes of the projected corners; of triangles that reach to or past the eye's plane
-/// the whole target. Returns the lanes whose boxes hold a sample.
-HWY_INLINE MD StoreClipBox(const KernelView& view, const ClipGroup& g, int at, ClipBlock& block) {
+/// Stores the boxes of the projected corners of the lanes `wanted`; of triangles that reach to or
+/// past the eye's plane the whole target. Returns the lanes whose boxes hold a sample.
+HWY_INLINE MD StoreClipBox(const KernelView& view, const ClipGroup& g, std::uint32_t wanted, int at,
+                           ClipBlock& block) {
   const DD dd;
   const DDI di;
   const VD zero = hn::Zero(dd);
@@ -160,6 +175,7 @@ HWY_INLINE MD StoreClipBox(const KernelView& view, const ClipGroup& g, int at, C
   const MD before = hn::Gt(least_w, zero);
   VD reciprocal[3];
   for (int k = 0; k < 3; ++k) reciprocal[k] = hn::Div(hn::Set(dd, 1.0), g.w[k]);
+  MD stepped = before;
   const auto store = [&](const VD(&v)[3], int first, int size, std::int32_t* from,
                          std::int32_t* to) {
     const VD a = hn::Mul(v[0], reciprocal[0]);
@@ -172,17 +188,30 @@ HWY_INLINE MD StoreClipBox(const KernelView& view, const ClipGroup& g, int at, C
     const VD low = hn::Min(hn::Min(a, b), c);
     const VD high = hn::Max(hn::Max(a, b), c);
     const VD half = hn::Set(dd, 0.5);
+    const VD farthest = hn::Max(hn::Abs(low), hn::Abs(high));
+    stepped = hn::And(stepped, hn::Le(farthest, hn::Set(dd, double{kSteppedSide})));
     const VD limit = hn::Set(dd, static_cast<double>(size));
     const VD start = hn::Set(dd, static_cast<double>(first));
     const auto within = [&](VD v_) { return hn::Min(hn::Max(v_, start), limit); };
     const VD begin = hn::Ceil(within(hn::Sub(hn::Sub(low, slack(low)), half)));
     const VD end = hn::Ceil(within(hn::Add(hn::Add(high, slack(high)), half)));
-    hn::Store(hn::DemoteTo(di, hn::IfThenElse(before, begin, start)), di, from + at);
-    hn::Store(hn::DemoteTo(di, hn::IfThenElse(before, end, limit)), di, to + at);
+    const auto put = [&](VD v_, std::int32_t* p) {
+      auto of = hn::DemoteTo(di, v_);
+      if (HWY_UNLIKELY(wanted != kAllDoubles)) {
+        of = hn::IfThenElse(MaskOf(di, wanted), of, hn::Load(di, p + at));
+      }
+      hn::Store(of, di, p + at);
+    };
+    put(hn::IfThenElse(before, begin, start), from);
+    put(hn::IfThenElse(before, end, limit), to);
     return hn::Or(hn::Lt(begin, end), hn::Not(before));
   };
   const MD columns = store(g.x, 0, view.width, block.x0, block.x1);
   const MD rows = store(g.y, view.first_row, view.height, block.y0, block.y1);
+  for (int k = 0; k < 3; ++k) {
+    hn::Store(hn::Mul(g.y[k], reciprocal[k]), dd, block.row_of[k] + at);
+  }
+  block.stepped |= Bits32(stepped) << at;
   return hn::And(columns, rows);
 }
 
@@ -346,55 +375,92 @@ HWY_INLINE MD FindClipMasks(MD small, int rows, int at, ClipBlock& block) {
     mask = hn::Or(mask, hn::ShiftLeftSame(hn::Sub(ends(last), ends(first)), 8 * r));
     y = hn::Add(y, hn::Set(dd, 1.0));
   }
-  hn::Store(mask, du, block.masks + at);
+  const auto old = hn::Load(du, block.masks + at);
+  hn::Store(hn::IfThenElse(hn::RebindMask(du, small), mask, old), du, block.masks + at);
   return hn::And(small, hn::Ge(fraction, hn::Load(dd, block.twice_error + at)));
 }
 
+/// Sets up one group of lanes in double: the lanes of `wanted`, planes of those that float32 drew,
+/// and if any is wanted or with_edges the edges of all.
 template <bool kNeedsPlane>
-HWY_INLINE void SetUpClip(const KernelView& view, const std::uint32_t* indices, ClipBlock& block) {
+HWY_INLINE void SetUpGroup(const KernelView& view, std::uint32_t wanted, bool with_edges, int at,
+                           ClipBlock& block) {
   const DD dd;
+  const ClipGroup g(view.vertices, block.indices + 3 * at);
+  MD cut;
+  const MD seen = MayBeSeen(view, g, cut);
+  std::uint32_t drawn = wanted & Bits32(hn::And(seen, StoreClipBox(view, g, wanted, at, block)));
+  const std::uint32_t needed =
+      drawn | (((kNeedsPlane ? block.drawn : block.near) >> at) & kAllDoubles);
+  with_edges |= drawn != 0;
+  if (needed == 0) return;
+  for (int k = 0; k < 3; ++k) {
+    hn::Store(g.x[k], dd, block.x[k] + at);
+    hn::Store(g.y[k], dd, block.y[k] + at);
+    hn::Store(g.z[k], dd, block.z[k] + at);
+    hn::Store(g.w[k], dd, block.w[k] + at);
+  }
+  const ClipNormals n[3] = {{g, 0, 1}, {g, 1, 2}, {g, 2, 0}};
+  const VD determinant = ClipDeterminants<kNeedsPlane>(view, g, n[1], needed, at, block);
+  if constexpr (kNeedsPlane) StoreClipPlane(g, n, determinant, at, block);
+  if (!with_edges) return;
+  const MD is_front = hn::Gt(determinant, hn::Zero(dd));
+  drawn &= Bits32(hn::Ne(determinant, hn::Zero(dd)));
+  block.drawn |= drawn << at;
+  block.front |= (Bits32(is_front) & needed) << at;
+  block.in_double |= kAllDoubles << at;
+  const std::uint32_t cut_bits = drawn & Bits32(cut);
+  block.cut |= cut_bits << at;
+  VD twice_error = hn::Zero(dd);
+  for (int e = 0; e < 3; ++e) {
+    twice_error = hn::Max(twice_error, StoreClipEdge(view, n[e], is_front, e, at, block));
+  }
+  if (HWY_UNLIKELY(cut_bits != 0)) {
+    twice_error = hn::Max(twice_error, StoreNearEdge(view, g, n, is_front, cut, at, block));
+  }
+  hn::Store(twice_error, dd, block.twice_error + at);
+  std::uint32_t others = block.searched[kNearEdge];
+  for (int e = 0; e < 3; ++e) others |= block.parallel[e] | block.searched[e];
+  int rows = 0;
+  const MD small = AreSmall(block, at, MaskOf(dd, drawn & ~(others >> at)), rows);
+  if (rows == 0) return;
+  const MD told = HWY_UNLIKELY(cut_bits != 0) ? FindClipMasks<4>(small, rows, at, block)
+                                              : FindClipMasks<3>(small, rows, at, block);
+  block.small |= Bits32(told) << at;
+}
+
+/// Sets up those triangles of a block that are not `done`, and planes of those drawn.
+template <bool kNeedsPlane>
+HWY_NOINLINE void SetUpInDouble(const KernelView& view, std::uint32_t done, ClipBlock& block) {
+  for (int at = 0; at < kBlock; at += kDoubles) {
+    const std::uint32_t wanted = (~done >> at) & kAllDoubles;
+    const std::uint32_t drawn = kNeedsPlane ? (block.drawn >> at) & kAllDoubles : 0;
+    if ((wanted | drawn) != 0) SetUpGroup<kNeedsPlane>(view, wanted, false, at, block);
+  }
+}
+
+template <bool kNeedsPlane, bool kNeedsFacing>
+HWY_INLINE void SetUpClip(const KernelView& view, const std::uint32_t* indices, ClipBlock& block) {
+  block.indices = indices;
   block.cut = 0;
   block.small = 0;
+  block.near = 0;
+  block.near_rows.odd = 0;
+  block.stepped = 0;
+  block.in_double = 0;
   for (int e = 0; e < 3; ++e) block.parallel[e] = block.searched[e] = 0;
   block.searched[kNearEdge] = 0;
-  for (int at = 0; at < kBlock; at += kDoubles) {
-    const ClipGroup g(view.vertices, indices + 3 * at);
-    MD cut;
-    const MD seen = MayBeSeen(view, g, cut);
-    std::uint32_t drawn = Bits32(hn::And(seen, StoreClipBox(view, g, at, block)));
-    if (drawn == 0) continue;
-    for (int k = 0; k < 3; ++k) {
-      hn::Store(g.x[k], dd, block.x[k] + at);
-      hn::Store(g.y[k], dd, block.y[k] + at);
-      hn::Store(g.z[k], dd, block.z[k] + at);
-      hn::Store(g.w[k], dd, block.w[k] + at);
+  std::uint32_t done = 0;
+  if (block.left_out > 0) {
+    --block.left_out;
+  } else {
+    for (int at = 0; at < kBlock; at += kLanes) {
+      done |= SetUpFloats<kNeedsFacing>(view, indices + 3 * at, at, block) << at;
     }
-    const ClipNormals n[3] = {{g, 0, 1}, {g, 1, 2}, {g, 2, 0}};
-    const VD determinant = ClipDeterminants<kNeedsPlane>(view, g, n[1], drawn, at, block);
-    const MD is_front = hn::Gt(determinant, hn::Zero(dd));
-    drawn &= Bits32(hn::Ne(determinant, hn::Zero(dd)));
-    block.drawn |= drawn << at;
-    block.front |= Bits32(is_front) << at;
-    const std::uint32_t cut_bits = drawn & Bits32(cut);
-    block.cut |= cut_bits << at;
-    VD twice_error = hn::Zero(dd);
-    for (int e = 0; e < 3; ++e) {
-      twice_error = hn::Max(twice_error, StoreClipEdge(view, n[e], is_front, e, at, block));
-    }
-    if (HWY_UNLIKELY(cut_bits != 0)) {
-      twice_error = hn::Max(twice_error, StoreNearEdge(view, g, n, is_front, cut, at, block));
-    }
-    hn::Store(twice_error, dd, block.twice_error + at);
-    if constexpr (kNeedsPlane) StoreClipPlane(g, n, determinant, at, block);
-    std::uint32_t others = block.searched[kNearEdge];
-    for (int e = 0; e < 3; ++e) others |= block.parallel[e] | block.searched[e];
-    int rows = 0;
-    const MD small = AreSmall(block, at, MaskOf(dd, drawn & ~(others >> at)), rows);
-    if (rows == 0) continue;
-    const MD told = HWY_UNLIKELY(cut_bits != 0) ? FindClipMasks<4>(small, rows, at, block)
-                                                : FindClipMasks<3>(small, rows, at, block);
-    block.small |= Bits32(told) << at;
+    if (done == 0) block.left_out = kLeftOut;
   }
+  constexpr std::uint32_t kAll = (1U << kBlock) - 1;
+  if (done != kAll || kNeedsPlane) SetUpInDouble<kNeedsPlane>(view, done, block);
 }
 
 }  // namespace rasterproof::library::kernels::HWY_NAMESPACE

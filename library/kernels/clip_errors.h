@@ -1,7 +1,9 @@
-// How far what the kernel of clip space (clip_rows.h) computes in double may be from what it stands
-// for. u = 2^-53.
+// How far what the kernel of clip space (clip_rows.h) computes may be from what it stands for, in
+// double but where float32 is named. u = 2^-53.
 #ifndef RASTERPROOF_LIBRARY_KERNELS_CLIP_ERRORS_H_
 #define RASTERPROOF_LIBRARY_KERNELS_CLIP_ERRORS_H_
+
+#include "library/kernels/crossing_errors.h"
 
 namespace rasterproof::library::kernels {
 
@@ -42,6 +44,49 @@ inline constexpr double kClipCrossingError = 0x1p-49;
 /// Proof:      reference/proofs/clip_kernel.g.
 /// Measured:   largest error / bound 0.158, by the same test.
 inline constexpr double kClipNearCrossingError = 0x1p-50;
+
+// Triangles before the eye and the near plane, wholly on the target, of boxes up to kNearSide a
+// side, are guessed in float32 (clip_floats.h), v = 2^-24. A corner relative to the first pixel of
+// its box, (x - w x0) / w, is a fused difference, a reciprocal and their product: off by 3.01 v of
+// itself, for w within kClipTameW keeps what underflows below 2^-80. Where the row at y lies
+// between both ends of an edge, true and computed, the point of one that the same share of the way
+// leads to on the other is off by as much in x and in y: so the crossing moves by (1 + s) times a
+// corner's error, s the slope |dx / dy| of the computed edge. On top comes what the guess from
+// computed corners is off: crossing_errors.h.
+
+/// Domain of w: 1 / kClipTameW to kClipTameW.
+inline constexpr float kClipTameW = 0x1p60F;
+
+/// A short edge that a row asks for, or the long edge, that is flatter is not told.
+inline constexpr float kClipFloatSlope = 32;
+
+/// A corner nearer to a row's centre, or to the end of the box's columns, is not told: it may lie
+/// on its other side. 3.01 v 65, and v 65 for the difference, < 2^-15.
+/// Proof:      reference/proofs/clip_floats.g.
+/// Measured:   largest error / bound 0.231, ClipKernel.FloatGuessesStayWithinTheirErrors by
+///             `./run test-more`.
+inline constexpr float kClipCornerRoom = 0x1p-15F;
+
+/// Of a small triangle, M = 9: 3.01 v 9 (1 + 32.01), and 2^-15 of kSmallCrossingError: < 2^-13.
+/// Proof:      reference/proofs/clip_floats.g.
+/// Measured:   largest error / bound 0.191, by the same test.
+inline constexpr float kClipSmallCrossingError = 0x1p-13F;
+
+/// The same of a near one, M = 65: 3.01 v 65 (1 + 32.01), and 2^-14 of kNearCrossingError.
+/// Proof:      reference/proofs/clip_floats.g.
+/// Measured:   largest error / bound 0.228, by the same test.
+inline constexpr float kClipBoxCrossingError = 0x1p-11F;
+
+/// Of larger ones in steps of fixed point, of edges whose guess in double is off by at most
+/// kStepError: that, and what steps add, which kStepError holds, with the sum of it and the guess.
+/// Proof:      reference/proofs/clip_floats.g.
+/// Measured:   largest error / bound 0.272, by the same test.
+inline constexpr float kClipStepError = 2 * kStepError;
+
+/// A corner nearer to a row's centre is not told there: y / w is off by 2 u of at most
+/// kSteppedSide, and a difference rounds: < 2^-37.
+/// Proof:      reference/proofs/clip_floats.g.
+inline constexpr double kClipRowRoom = 0x1p-30;
 
 /// A guess that may be off by more than this decides nothing: its row is searched exactly.
 inline constexpr double kClipWorstGuess = 0x1p-10;

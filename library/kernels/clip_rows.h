@@ -4,7 +4,8 @@
 // A sample is covered if the ray through it meets the triangle before the eye: if it is inside
 // three edges N . (x, y, 1), N = V_j x V_i, by the facing (reference/homogeneous.h). What a row has
 // inside an edge begins or ends where it crosses it, guessed as in exact_crossings.h; the near
-// plane is one edge more of the triangles that it cuts.
+// plane is one edge more of the triangles that it cuts. Most triangles lie before the eye: these
+// are drawn as in window space, from projected corners (clip_floats.h) or in steps (exact_steps.h).
 #ifndef RASTERPROOF_LIBRARY_KERNELS_CLIP_ROWS_H_
 #define RASTERPROOF_LIBRARY_KERNELS_CLIP_ROWS_H_
 
@@ -15,6 +16,7 @@
 #include "library/kernels/clip_block.h"
 #include "library/kernels/exact_crossings.h"
 #include "library/kernels/exact_rows.h"
+#include "library/kernels/exact_steps.h"
 #include "library/kernels/kernel_table.h"
 #include "library/kernels/vectors.h"
 
@@ -123,11 +125,17 @@ inline HWY_NOINLINE void FindCutColumns(const KernelView& view, const ClipBlock&
   ClipCrossings<4>(view, block, i).Find(view, block, i, row, rows, first, last);
 }
 
+/// The same of a triangle that it does not cut.
+inline HWY_NOINLINE void FindColumns(const KernelView& view, const ClipBlock& block, int i, int row,
+                                     int rows, std::int32_t* first, std::int32_t* last) {
+  ClipCrossings<3>(view, block, i).Find(view, block, i, row, rows, first, last);
+}
+
 template <class Sink>
 HWY_INLINE void DrawClipTriangle(const KernelView& view, const ClipBlock& block, int i,
-                                 std::uint32_t triangle, Sink& sink) {
+                                 std::uint32_t triangle, int first_row, Sink& sink) {
   const bool is_front = block.Has(block.front, i);
-  int y0 = block.y0[i];
+  int y0 = first_row;
   int y1 = block.y1[i];
   if (HWY_UNLIKELY(block.Has(block.parallel[0] | block.parallel[1] | block.parallel[2], i))) {
     for (int e = 0; e < 3; ++e) {
@@ -153,20 +161,149 @@ HWY_INLINE void DrawClipTriangle(const KernelView& view, const ClipBlock& block,
   }
 }
 
+/// Of a triangle before the eye, its corners' order by y and the rows of its edges.
+struct SortedRows {
+  int top = 0, middle = 1, bottom = 2;
+  int first = 0, turn = 0, end = 0;  ///< rows of the long edge; the middle corner's
+
+  /// Returns false where a corner lies too near to a row's centre to tell.
+  HWY_INLINE bool Find(const ClipBlock& block, int i, int first_row) {
+    const double y[3] = {block.row_of[0][i], block.row_of[1][i], block.row_of[2][i]};
+    const auto sort = [&](int& a, int& b) {
+      const bool swap = y[b] < y[a];
+      const int first_one = swap ? b : a;
+      b = swap ? a : b;
+      a = first_one;
+    };
+    sort(top, middle);
+    sort(middle, bottom);
+    sort(top, middle);
+    bool tells = true;
+    const auto row = [&](int corner) {
+      const double below = y[corner] - 0.5;
+      const double above = __builtin_ceil(below);
+      const double fraction = above - below;
+      tells &= fraction > kClipRowRoom && fraction < 1 - kClipRowRoom;
+      return Clamped(above, first_row, block.y1[i]);
+    };
+    first = row(top);
+    turn = row(middle);
+    end = row(bottom);
+    return tells;
+  }
+
+ private:
+  HWY_INLINE static int Clamped(double v, int least, int most) {
+    return v <= least ? least : v >= most ? most : static_cast<int>(v);
+  }
+};
+
+/// Draws a triangle from first_row on in steps of fixed point. Returns false, with nothing drawn,
+/// where a corner's row, or an edge's guess in double, does not tell.
+template <class Sink>
+HWY_INLINE bool DrawClipSteps(const KernelView& view, const ClipBlock& block, int i,
+                              std::uint32_t triangle, int first_row, Sink& sink) {
+  const DI di;
+  SortedRows rows;
+  if (!rows.Find(block, i, first_row) || !(block.twice_error[i] <= 2 * kStepError)) return false;
+  SteppedEdge whole, upper, lower;
+  // Edge k + 1 is opposite corner k.
+  const auto start = [&](SteppedEdge& edge, int opposite, int first, int end) {
+    const int e = opposite == 2 ? 0 : opposite + 1;
+    const double slope = block.slope[e][i];
+    return edge.Start(slope, first, end, rows.first,
+                      [&](double y) { return y * slope + (block.from[e][i] + kStepError); });
+  };
+  if (!start(whole, rows.middle, rows.first, rows.end)) return false;
+  if (!start(upper, rows.bottom, rows.first, rows.turn)) return false;
+  if (!start(lower, rows.top, rows.turn, rows.end)) return false;
+  const VI lane = hn::ConvertTo(di, FloatsFrom(DF(), 0));
+  const VI columns = hn::Set(di, view.width);
+  const int width = block.x1[i] - block.x0[i];
+  sink.Begin(triangle, block.Has(block.front, i), block.PlaneOf(i));
+  for (int row = rows.first; row < rows.end; row += kLanes) {
+    const int count = Least(kLanes, rows.end - row);
+    const std::uint64_t valid = (std::uint64_t{1} << count) - 1;
+    const VI by_long = whole.Next();
+    const auto is_upper = hn::Lt(lane, hn::Set(di, rows.turn - row));
+    const VI by_upper = upper.Next();
+    const VI by_short = hn::IfThenElse(is_upper, by_upper, lower.Next());
+    const auto open = HasOpenFraction(LesserFractions(by_long, by_short), 2 * kClipStepError);
+    if (HWY_UNLIKELY((MaskBits(di, open) & valid) != 0)) {
+      alignas(64) std::int32_t first[kRowsAtOnce], last[kRowsAtOnce];
+      FindColumns(view, block, i, row, count, first, last);
+      Emit(sink, width, row, count, first, last);
+      continue;
+    }
+    const auto column = [&](VI guess) {
+      return hn::Max(hn::Min(hn::ShiftRight<kSmallBits>(guess), columns), hn::Zero(di));
+    };
+    const VI long_column = column(by_long);
+    const VI short_column = column(by_short);
+    EmitRows(sink, width, row, count, hn::Min(long_column, short_column),
+             hn::Max(long_column, short_column));
+  }
+  return true;
+}
+
+/// Draws rows of a near triangle. Returns the first row that was not drawn, for a guess did not
+/// tell, or the end of its box.
+template <class Sink>
+HWY_INLINE int DrawNearClip(const ClipBlock& block, int i, std::uint32_t triangle, Sink& sink) {
+  const DF d;
+  const VF error = hn::Set(d, 2 * kClipBoxCrossingError);
+  const VF steepest = hn::Set(d, kClipFloatSlope);
+  const auto decide = [&](int /*row*/, const SomeNearRows& some, std::uint64_t valid) {
+    const VF fraction =
+        hn::Min(hn::Sub(some.by_long, some.long_column), hn::Sub(some.by_short, some.short_column));
+    const auto open = hn::Or(hn::Lt(fraction, error), hn::Gt(hn::Abs(some.short_slope), steepest));
+    return (MaskBits(d, open) & valid) == 0;
+  };
+  return DrawNearRows(block.near_rows, i, block.BoxOf(i), block.PlaneOf(i), triangle,
+                      kClipBoxCrossingError, sink, decide);
+}
+
+/// The edges of a triangle that float32 began, and of those beside it.
+inline HWY_NOINLINE void SetUpEdges(const KernelView& view, int i, ClipBlock& block) {
+  SetUpGroup<false>(view, 0, true, i / kDoubles * kDoubles, block);
+}
+
+/// Draws rows from `row` on of a triangle in double. A sink of its own: one that is passed on keeps
+/// its state in memory.
+template <class Sink>
+HWY_NOINLINE void DrawInDouble(const KernelView& view, ClipBlock& block, int i,
+                               std::uint32_t triangle, int row) {
+  Sink sink(view);
+  if (!block.Has(block.in_double, i)) SetUpEdges(view, i, block);
+  const std::uint32_t searched = block.searched[0] | block.searched[1] | block.searched[2];
+  const bool can_step = block.Has(block.stepped & ~(searched | block.cut), i) &&
+                        Greatest(view.width, view.height) <= static_cast<int>(kSteppedSide);
+  if (can_step && DrawClipSteps(view, block, i, triangle, row, sink)) return;
+  DrawClipTriangle(view, block, i, triangle, row, sink);
+}
+
 template <class Sink>
 void DrawClip(const KernelView& view) {
   Sink sink(view);
   ClipBlock block;
   ForEachTriangle(
       view, block,
-      [&](const std::uint32_t* indices) { SetUpClip<Sink::kNeedsPlane>(view, indices, block); },
+      [&](const std::uint32_t* indices) {
+        SetUpClip<Sink::kNeedsPlane, Sink::kNeedsFacing>(view, indices, block);
+      },
       [&](int i, std::uint32_t triangle) {
-        if (!block.Has(block.small, i)) {
-          DrawClipTriangle(view, block, i, triangle, sink);
-        } else if (block.masks[i] != 0) {
+        if (block.Has(block.small, i)) {
+          if (block.masks[i] == 0) return;
           sink.Begin(triangle, block.Has(block.front, i), block.PlaneOf(i));
           sink.Mask8x8(block.x0[i], block.y0[i], block.masks[i]);
+          return;
         }
+        int row = block.y0[i];
+        if (block.Has(block.near, i)) {
+          row = DrawNearClip(block, i, triangle, sink);
+          if (HWY_LIKELY(row == block.y1[i])) return;
+        }
+        DrawInDouble<Sink>(view, block, i, triangle, row);
       });
 }
 

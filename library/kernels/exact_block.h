@@ -19,17 +19,20 @@ constexpr int kLongEdge = 2;
 constexpr int kStartOf[3] = {0, 1, 0};
 constexpr int kEndOf[3] = {1, 2, 2};
 
-struct alignas(64) ExactBlock : Block {
-  float x[3][kBlock], y[3][kBlock];  ///< corners, least y first
-  // Of near triangles, whose box is at most kNearSide a side, and of small ones that have ties:
-  // relative to its first pixel.
+/// Of near triangles, whose box is at most kNearSide a side, and of small ones that have ties:
+/// corners relative to its first pixel, least y first.
+struct alignas(64) NearBlock {
   float sx[3][kBlock], sy[3][kBlock], slope[3][kBlock];
+  std::uint32_t odd;  ///< sorting swapped two of them an odd number of times
+};
+
+struct alignas(64) ExactBlock : Block, NearBlock {
+  float x[3][kBlock], y[3][kBlock];  ///< corners, least y first
   std::uint64_t masks[kBlock];
   double long_slope[3][kBlock];     ///< of the others
   std::int32_t middle_row[kBlock];  ///< of the others: the first row at or below the middle corner
   std::uint32_t inside;             ///< wholly on the target
   std::uint32_t near;
-  std::uint32_t odd;           ///< sorting swapped two of them an odd number of times
   std::uint32_t far;           ///< beyond kGuessDomain
   std::uint32_t stepped;       ///< no x beyond kSteppedSide
   std::uint32_t long_is_left;  ///< of small ones that cover anything

@@ -99,63 +99,101 @@ HWY_INLINE void EmitRows(Sink& sink, int width, int row, int rows, VI first, VI 
   Emit(sink, width, row, rows, from, to);
 }
 
-/// Rows of a near triangle, kLanes at a time.
-template <bool kExact, class Sink>
-HWY_INLINE void DrawNearRows(const KernelView& view, const ExactBlock& block, int i,
-                             std::uint32_t triangle, Sink& sink) {
+/// Rows of a near triangle as they cross its edges.
+struct NearRows {
+  VF from0, from1, top, middle;
+  VF long_slope, upper_slope, lower_slope;
+
+  HWY_INLINE NearRows(const NearBlock& block, int i, float error) {
+    const DF d;
+    from0 = hn::Set(d, block.sx[0][i] + (0.5F + error));
+    from1 = hn::Set(d, block.sx[1][i] + (0.5F + error));
+    top = hn::Set(d, block.sy[0][i]);
+    middle = hn::Set(d, block.sy[1][i]);
+    long_slope = hn::Set(d, block.slope[kLongEdge][i]);
+    upper_slope = hn::Set(d, block.slope[kUpperEdge][i]);
+    lower_slope = hn::Set(d, block.slope[kLowerEdge][i]);
+  }
+};
+
+/// kLanes of them, from `row` of the box on.
+struct SomeNearRows {
+  hn::Mask<DF> upper;  ///< above the middle corner
+  VF short_slope;
+  VF by_long, by_short;
+  VF long_column, short_column;
+
+  HWY_INLINE SomeNearRows(const NearRows& rows, int row) {
+    const VF centre = FloatsFrom(DF(), static_cast<float>(row) + 0.5F);
+    upper = hn::Lt(centre, rows.middle);
+    short_slope = hn::IfThenElse(upper, rows.upper_slope, rows.lower_slope);
+    by_long = hn::MulAdd(hn::Sub(centre, rows.top), rows.long_slope, rows.from0);
+    by_short = hn::MulAdd(hn::Sub(centre, hn::IfThenElse(upper, rows.top, rows.middle)),
+                          short_slope, hn::IfThenElse(upper, rows.from0, rows.from1));
+    long_column = hn::Floor(by_long);
+    short_column = hn::Floor(by_short);
+  }
+};
+
+/// Draws rows of a near triangle, kLanes at a time. decide(row, rows, valid) sees to guesses that
+/// do not tell, of the rows that are bits of `valid`; false ends the drawing. Returns the first row
+/// that was not drawn.
+template <class Sink, class P, class Decide>
+HWY_INLINE int DrawNearRows(const NearBlock& block, int i, const Box& box, const P& plane,
+                            std::uint32_t triangle, float error, Sink& sink, const Decide& decide) {
   const DF d;
   const DI di;
-  const VF error = hn::Set(d, 2 * kNearCrossingError);
-  constexpr float kOffset = 0.5F + kNearCrossingError;
-  const VF from0 = hn::Set(d, block.sx[0][i] + kOffset);
-  const VF from1 = hn::Set(d, block.sx[1][i] + kOffset);
-  const VF top = hn::Set(d, block.sy[0][i]);
-  const VF middle = hn::Set(d, block.sy[1][i]);
-  const VF long_slope = hn::Set(d, block.slope[kLongEdge][i]);
-  const VF upper_slope = hn::Set(d, block.slope[kUpperEdge][i]);
-  const VF lower_slope = hn::Set(d, block.slope[kLowerEdge][i]);
-  const Box box = block.BoxOf(i);
+  const NearRows near(block, i, error);
   const VI left = hn::Set(di, box.x0);
   bool has_begun = !Sink::kNeedsFacing;
-  if (has_begun) sink.Begin(triangle, false, block.PlaneOf(i));
+  if (has_begun) sink.Begin(triangle, false, plane);
   for (int row = box.y0; row < box.y1; row += kLanes) {
     const int rows = Least(kLanes, box.y1 - row);
-    const VF centre = FloatsFrom(d, static_cast<float>(row - box.y0) + 0.5F);
-    const auto upper = hn::Lt(centre, middle);
-    const VF by_long = hn::MulAdd(hn::Sub(centre, top), long_slope, from0);
-    const VF by_short = hn::MulAdd(hn::Sub(centre, hn::IfThenElse(upper, top, middle)),
-                                   hn::IfThenElse(upper, upper_slope, lower_slope),
-                                   hn::IfThenElse(upper, from0, from1));
-    VF long_column = hn::Floor(by_long);
-    VF short_column = hn::Floor(by_short);
     const std::uint64_t valid = (std::uint64_t{1} << rows) - 1;
-    if constexpr (kExact) {
-      const auto long_open = hn::Lt(hn::Sub(by_long, long_column), error);
-      const auto short_open = hn::Lt(hn::Sub(by_short, short_column), error);
-      if (HWY_UNLIKELY((MaskBits(d, hn::Or(long_open, short_open)) & valid) != 0)) {
-        const std::uint64_t upper_bits = MaskBits(d, upper);
-        const auto resolve = [&](VF& column, std::uint64_t open, bool is_long) {
-          if (open == 0) return;
-          column = ResolveNear(view, block, i, row - box.y0, column, open, upper_bits, is_long);
-        };
-        resolve(long_column, MaskBits(d, long_open) & valid, true);
-        resolve(short_column, MaskBits(d, short_open) & valid, false);
-      }
-    }
+    SomeNearRows some(near, row - box.y0);
+    if (!decide(row - box.y0, some, valid)) return row;
     if constexpr (Sink::kNeedsFacing) {
       if (!has_begun) {
-        const std::uint64_t differ = valid & ~MaskBits(d, hn::Eq(long_column, short_column));
+        const std::uint64_t differ =
+            valid & ~MaskBits(d, hn::Eq(some.long_column, some.short_column));
         if (differ == 0) continue;
-        const std::uint64_t is_left = differ & MaskBits(d, hn::Lt(long_column, short_column));
-        sink.Begin(triangle, IsFrontBy(is_left != 0, ((block.odd >> i) & 1) != 0),
-                   block.PlaneOf(i));
+        const std::uint64_t is_left =
+            differ & MaskBits(d, hn::Lt(some.long_column, some.short_column));
+        sink.Begin(triangle, IsFrontBy(is_left != 0, ((block.odd >> i) & 1) != 0), plane);
         has_begun = true;
       }
     }
     EmitRows(sink, box.x1 - box.x0, row, rows,
-             hn::Add(Truncated(hn::Min(long_column, short_column)), left),
-             hn::Add(Truncated(hn::Max(long_column, short_column)), left));
+             hn::Add(Truncated(hn::Min(some.long_column, some.short_column)), left),
+             hn::Add(Truncated(hn::Max(some.long_column, some.short_column)), left));
   }
+  return box.y1;
+}
+
+/// The same in window space.
+template <bool kExact, class Sink>
+HWY_INLINE void DrawNear(const KernelView& view, const ExactBlock& block, int i,
+                         std::uint32_t triangle, Sink& sink) {
+  const DF d;
+  const VF error = hn::Set(d, 2 * kNearCrossingError);
+  const auto decide = [&](int row, SomeNearRows& some, std::uint64_t valid) {
+    if constexpr (kExact) {
+      const auto long_open = hn::Lt(hn::Sub(some.by_long, some.long_column), error);
+      const auto short_open = hn::Lt(hn::Sub(some.by_short, some.short_column), error);
+      if (HWY_UNLIKELY((MaskBits(d, hn::Or(long_open, short_open)) & valid) != 0)) {
+        const std::uint64_t upper_bits = MaskBits(d, some.upper);
+        const auto resolve = [&](VF& column, std::uint64_t open, bool is_long) {
+          if (open == 0) return;
+          column = ResolveNear(view, block, i, row, column, open, upper_bits, is_long);
+        };
+        resolve(some.long_column, MaskBits(d, long_open) & valid, true);
+        resolve(some.short_column, MaskBits(d, short_open) & valid, false);
+      }
+    }
+    return true;
+  };
+  DrawNearRows(block, i, block.BoxOf(i), block.PlaneOf(i), triangle, kNearCrossingError, sink,
+               decide);
 }
 
 /// One edge of a triangle as rows cross it, or in each lane one of its short ones.

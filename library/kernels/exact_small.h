@@ -89,12 +89,25 @@ struct SmallEdges {
     const DF d;
     const VF unit = hn::Set(d, kSmallUnit);
     const VF left = hn::Mul(g.x0, unit);
-    const VF offset = hn::Set(d, (0.5F + kSmallCrossingError) * kSmallUnit);
     VF x[3], y[3];
     for (int k = 0; k < 3; ++k) {
       x[k] = hn::MulSub(g.c.x[k], unit, left);
       y[k] = hn::Sub(g.c.y[k], g.y0);
     }
+    rows = hn::Sub(g.y1, g.y0);
+    Join(x, y, kSmallCrossingError);
+  }
+
+  /// Of corners relative to the first pixel, of which a guess may be off by `error` columns.
+  HWY_INLINE SmallEdges(const Corners<VF>& c, VF rows_, float error) : rows(rows_) {
+    VF x[3];
+    for (int k = 0; k < 3; ++k) x[k] = hn::Mul(c.x[k], hn::Set(DF(), kSmallUnit));
+    Join(x, c.y, error);
+  }
+
+ private:
+  HWY_INLINE void Join(const VF (&x)[3], const VF (&y)[3], float error) {
+    const VF offset = hn::Set(DF(), (0.5F + error) * kSmallUnit);
     top = y[0];
     middle = y[1];
     from_top = hn::Add(x[0], offset);
@@ -102,7 +115,6 @@ struct SmallEdges {
     upper = hn::Div(hn::Sub(x[1], x[0]), hn::Sub(y[1], y[0]));
     lower = hn::Div(hn::Sub(x[2], x[1]), hn::Sub(y[2], y[1]));
     whole = hn::Div(hn::Sub(x[2], x[0]), hn::Sub(y[2], y[0]));
-    rows = hn::Sub(g.y1, g.y0);
   }
 };
 
@@ -110,6 +122,7 @@ struct SmallEdges {
 struct SmallRow {
   hn::Mask<DI> covered;
   VF below_top, below_middle;
+  VF slope;  ///< of the short edge
   VI by_long, by_short;
 
   HWY_INLINE SmallRow(const SmallEdges& e, int row) {
@@ -120,7 +133,7 @@ struct SmallRow {
     const VF centre = hn::Min(hn::Add(first, half), hn::Sub(e.rows, half));
     below_top = hn::Sub(centre, e.top);
     below_middle = hn::Sub(centre, e.middle);
-    const VF slope = hn::IfNegativeThenElse(below_middle, e.upper, e.lower);
+    slope = hn::IfNegativeThenElse(below_middle, e.upper, e.lower);
     by_long = Truncated(hn::MulAdd(below_top, e.whole, e.from_top));
     by_short = Truncated(hn::MulAdd(below_middle, slope, e.from_middle));
   }

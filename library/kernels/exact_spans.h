@@ -110,7 +110,7 @@ HWY_INLINE void DrawSpans(const KernelView& view) {
           sink.Begin(triangle, IsFrontBy(is_left, ((block.odd >> i) & 1) != 0), block.PlaneOf(i));
           sink.Mask8x8(block.x0[i], block.y0[i], bits);
         } else if (((block.near >> i) & 1) != 0) {
-          DrawNearRows<kExact>(view, block, i, triangle, sink);
+          DrawNear<kExact>(view, block, i, triangle, sink);
         } else if (HWY_UNLIKELY(((block.far >> i) & 1) != 0)) {
           DrawFar(view, block, i, triangle, sink);
         } else if (!(can_step && ((block.stepped >> i) & 1) != 0 &&

@@ -18,17 +18,15 @@ namespace rasterproof::library::kernels::HWY_NAMESPACE {
 class SteppedEdge {
  public:
   /// Returns false where the edge is too flat. [first, end) are its rows, `row` is the first one
-  /// that is asked for.
-  HWY_INLINE bool Start(const ExactBlock& block, int edge, int i, int first, int end, int row) {
+  /// that is asked for; at(y) is the guess of where height y crosses it.
+  template <class At>
+  HWY_INLINE bool Start(double slope, int first, int end, int row, const At& at) {
     at_ = 0;
     step_ = 0;
     lanes_ = hn::Zero(DI());
     if (first >= end) return true;
-    const double slope = block.long_slope[edge][i];
     if (!(slope > -kSteppedSlope && slope < kSteppedSlope)) return false;
-    const int start = kStartOf[edge];
-    const double below = first + 0.5 - double{block.y[start][i]};
-    const double crossing = below * slope + (block.x[start][i] + (0.5 + kStepError));
+    const double crossing = at(first + 0.5);
     step_ = Fixed(slope);
     at_ = Fixed(crossing) - static_cast<std::uint64_t>(first - row) * step_;
     const DU du;
@@ -102,9 +100,16 @@ HWY_INLINE bool DrawSteps(const KernelView& view, const ExactBlock& block, int i
   const Box box = block.BoxOf(i);
   const int middle = Least(Greatest(block.middle_row[i], box.y0), box.y1);
   SteppedEdge whole, upper, lower;
-  if (!whole.Start(block, kLongEdge, i, box.y0, box.y1, box.y0)) return false;
-  if (!upper.Start(block, kUpperEdge, i, box.y0, middle, box.y0)) return false;
-  if (!lower.Start(block, kLowerEdge, i, middle, box.y1, box.y0)) return false;
+  const auto start = [&](SteppedEdge& edge, int e, int first, int end) {
+    const double slope = block.long_slope[e][i];
+    const int a = kStartOf[e];
+    return edge.Start(slope, first, end, box.y0, [&](double y) {
+      return (y - double{block.y[a][i]}) * slope + (block.x[a][i] + (0.5 + kStepError));
+    });
+  };
+  if (!start(whole, kLongEdge, box.y0, box.y1)) return false;
+  if (!start(upper, kUpperEdge, box.y0, middle)) return false;
+  if (!start(lower, kLowerEdge, middle, box.y1)) return false;
   const VI lane = hn::ConvertTo(di, FloatsFrom(DF(), 0));
   const VI columns = hn::Set(di, view.width);
   bool has_begun = !Sink::kNeedsFacing;

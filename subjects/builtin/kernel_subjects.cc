@@ -72,7 +72,7 @@ class ClipKernelSubject final : public Subject {
     info_.takes_window = false;
     info_.takes_clip = true;
     info_.states_exact = true;
-    info_.proofs = {reference::ClipKernelProof()};
+    info_.proofs = reference::ClipKernelProofs();
     info_.profile.coordinate_limit = double{std::numeric_limits<float>::max()};
   }
 

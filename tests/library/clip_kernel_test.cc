@@ -99,6 +99,16 @@ TEST(ClipKernel, EqualsTheOracleOnEveryKindOfW) {
   }
 }
 
+// Small ones, near ones and those in steps of fixed point.
+TEST(ClipKernel, EqualsTheOracleBeforeTheEye) {
+  for (int i = 0; i < Cases(RunsMore() ? 100'000 : 4000); ++i) {
+    const int side = i % 20 == 0 ? 170 : i % 4 == 0 ? 63 : 8;
+    ExpectExact(ScenesBeforeTheEye(static_cast<std::uint64_t>(i), side, 1 + i % 33),
+                "seed " + std::to_string(i));
+    if (HasFatalFailure()) return;
+  }
+}
+
 TEST(ClipKernel, DrawsNothingOfWhatIsNotFinite) {
   constexpr float kInf = std::numeric_limits<float>::infinity();
   for (const float bad : {kInf, -kInf, std::nanf("")}) {

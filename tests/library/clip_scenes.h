@@ -75,6 +75,53 @@ inline OwnedClipScene RandomClipScene(std::uint64_t seed, int side, int triangle
   return owned;
 }
 
+// Triangles before the eye in boxes of up to `side`: edges pass samples, and corners lie beside
+// rows and columns of them, as closely as float32 has them in clip space, or on them; some edges
+// are flat.
+inline OwnedClipScene ScenesBeforeTheEye(std::uint64_t seed, int side, int triangles) {
+  RandomValues random(seed);
+  OwnedClipScene owned;
+  owned.width = side + 30;
+  owned.height = side + 25;
+  const auto beside = [&](double v) {
+    if (random.Integer(0, 2) == 0) return v;
+    return v + std::ldexp(random.Uniform(-1, 1), -random.Integer(6, 34));
+  };
+  for (int t = 0; t < triangles; ++t) {
+    const int box = random.Integer(1, side);
+    const bool is_flat = random.Integer(0, 2) == 0;
+    const double flat = is_flat ? std::ldexp(1, -random.Integer(0, 16)) : 1;
+    const double left = random.Integer(-3, 33);
+    const double first = random.Integer(-3, 28);
+    const double middle = first + random.Integer(0, box - 1) + 0.5;
+    const double top = is_flat ? middle - 0.5 * box * flat : first;
+    const auto point = [&] {
+      const double x = left + random.Uniform(0, box);
+      const double y = top + random.Uniform(0, box * flat);
+      const bool is_rounded = !is_flat && random.Integer(0, 2) == 0;
+      return std::array{is_rounded ? beside(std::floor(x) + 0.5) : x,
+                        is_rounded ? beside(std::floor(y) + 0.5) : y};
+    };
+    std::array<std::array<double, 2>, 3> corner{point(), point(), point()};
+    // The second is as far from a sample as the first one, on its other side.
+    if (random.Integer(0, 1) == 0) {
+      for (std::size_t c = 0; c < 2; ++c) {
+        corner[1][c] = beside(2 * (std::floor(corner[1][c]) + 0.5) - corner[0][c]);
+      }
+    }
+    if (random.Integer(0, 1) == 0) corner[2][1] = first + random.Uniform(0, box);
+    const bool is_one = random.Integer(0, 3) == 0;
+    for (const auto& [x, y] : corner) {
+      const double w = is_one ? 1 : std::ldexp(1 + random.Uniform(0, 1), random.Integer(-4, 4));
+      const auto as_float = static_cast<float>(w);
+      owned.indices.push_back(static_cast<std::uint32_t>(owned.vertices.size()));
+      owned.vertices.push_back({static_cast<float>(x * as_float), static_cast<float>(y * as_float),
+                                static_cast<float>(random.Uniform(0, 1) * w), as_float});
+    }
+  }
+  return owned;
+}
+
 // What Cramer's rule says of a triangle: f = (by_x x + by_y y + by_1) / area takes the values n_k
 // at corners (x, y, w), so its sign at (x, y, 1) is that of n where the ray meets the plane.
 struct Affine {

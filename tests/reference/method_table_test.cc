@@ -92,7 +92,7 @@ TEST(MethodTableTest, ProofsAreOfTheMethodsOwnArithmetic) {
             (Scripts{"row_crossing.g", "kernel_crossing.g", "kernel_steps.g"}));
   EXPECT_EQ(scripts("i32-snap4"), Scripts{"exactness.g"});
   EXPECT_EQ(scripts("hom-projected-f32"), Scripts{"edge_direct.g"});
-  EXPECT_EQ(scripts("hom-exact"), (Scripts{"homogeneous.g", "clip_kernel.g"}))
+  EXPECT_EQ(scripts("hom-exact"), (Scripts{"homogeneous.g", "clip_kernel.g", "clip_floats.g"}))
       << "of its filter, and of the kernel";
 }
 

@@ -145,10 +145,20 @@ std::string SweepRunner::Compile(const std::string& source, const Choices& choic
   command.insert(command.end(), more.begin(), more.end());
   const bool is_assembly = std::ranges::find(more, "-S") != more.end();
   if (!is_assembly) command.emplace_back("-c");
-  const std::string output = folder_.NewPath(is_assembly ? ".s" : ".o");
   const std::string kit = fs::path(driver_).parent_path().parent_path().string();
-  command.insert(command.end(), {"-I" + kit, source, "-o", output});
+  command.insert(command.end(), {"-I" + kit, source});
+  if (!is_assembly) {
+    const std::lock_guard lock(objects_mutex_);
+    if (const auto made = objects_.find(command); made != objects_.end()) return made->second;
+  }
+  const std::vector<std::string> key = command;
+  const std::string output = folder_.NewPath(is_assembly ? ".s" : ".o");
+  command.insert(command.end(), {"-o", output});
   Run(command, source == driver_ ? "" : settings_.cflags);
+  if (!is_assembly) {
+    const std::lock_guard lock(objects_mutex_);
+    objects_.emplace(key, output);
+  }
   return output;
 }
 

@@ -86,9 +86,11 @@ class SweepRunner {
   bool has_cxx() const { return has_cxx_; }
   SweepFolder& folder() { return folder_; }
 
-  /// Compiles a source with the flags of the choices, and these.
+  /// Compiles a source with the flags of the choices, and these; asked twice for the same object it
+  /// answers at once.
   ///
-  /// Returns:    the object's path, or that of assembly if the flags hold -S.
+  /// Returns:    the object's path, to be read only; or, if the flags hold -S, that of assembly,
+  ///             which is the caller's.
   /// Error:      BuildFailure.
   std::string Compile(const std::string& source, const Choices& choices,
                       const std::vector<std::string>& more = {});
@@ -137,6 +139,8 @@ class SweepRunner {
   std::mutex mutex_;
   std::map<std::string, std::string> drivers_;  ///< objects by target
   std::map<Choices, SweepOutcome> outcomes_;
+  std::mutex objects_mutex_;
+  std::map<std::vector<std::string>, std::string> objects_;  ///< by what compiles them
 };
 
 }  // namespace rasterproof::lab

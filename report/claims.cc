@@ -113,12 +113,13 @@ std::string TraitOf(const ClaimSide& side, Trait trait) {
   return std::to_string(side.vertex_bytes);
 }
 
-// The widest instruction set by which a kernel of the run draws.
+// The widest instruction set by which a kernel of the run draws families; that of curves may be
+// another.
 std::string_view WidestOf(const BenchResult& result) {
   constexpr std::array<std::string_view, 5> kOrder{"scalar", "neon", "sse4", "avx2", "avx512"};
   std::size_t widest = 0;
-  for (const BenchMethod& method : result.methods) {
-    const auto found = std::ranges::find(kOrder, method.target);
+  for (const BenchRow& row : result.rows) {
+    const auto found = std::ranges::find(kOrder, result.methods[row.method].target);
     if (found == kOrder.end()) continue;
     widest = std::max(widest, static_cast<std::size_t>(found - kOrder.begin()));
   }

@@ -150,6 +150,14 @@ TEST(ClaimFigures, AreNotMeasuredWithoutTheRowsOrByMethodsThatDifferInMore) {
   EXPECT_EQ(FigureOf(kDoublesBesideExact, result).times, "not measured");
 }
 
+// The threads' curve of a run has the library, by the machine's widest set whatever was asked for.
+TEST(ClaimFigures, AreOfTheSetThatDrawsFamilies) {
+  BenchResult result = Measured();
+  result.methods.push_back(Method("library", kSpans));
+  result.methods.back().target = "avx512";
+  EXPECT_EQ(FigureOf(kDoublesBesideExact, result).cells.size(), 1U);
+}
+
 TEST(ClaimFigures, ATextbookLoopIsComparedByItsWholeTime) {
   const ClaimSide loop{"box loop", "f64-direct", "compiler", "mask", "window", 32};
   BenchResult result = Measured();

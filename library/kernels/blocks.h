@@ -56,16 +56,16 @@ struct Corners {
 };
 
 #if HWY_TARGET != HWY_SCALAR
-/// x0, y0, x2, y2, ... of the vertices at vertex(0), vertex(2), ...
-template <class D, class VertexAt>
-HWY_INLINE hn::Vec<D> LoadEverySecond(D d, const VertexAt& vertex) {
-  if constexpr (kLanesOf<D> == 2) {
+/// The first kEach numbers of the vertices at vertex(0), vertex(kEach), vertex(2 kEach), ...
+template <int kEach, class D, class VertexAt>
+HWY_INLINE hn::Vec<D> LoadEvery(D d, const VertexAt& vertex) {
+  if constexpr (kLanesOf<D> == kEach) {
     return hn::LoadU(d, vertex(0));
   } else {
     constexpr int kHalf = kLanesOf<D> / 2;
     const hn::Half<D> half;
-    return hn::Combine(d, LoadEverySecond(half, [&](int i) { return vertex(kHalf + i); }),
-                       LoadEverySecond(half, vertex));
+    return hn::Combine(d, LoadEvery<kEach>(half, [&](int i) { return vertex(kHalf + i); }),
+                       LoadEvery<kEach>(half, vertex));
   }
 }
 #endif
@@ -86,8 +86,8 @@ HWY_INLINE Corners<hn::Vec<D>> LoadCorners(D d, const float* vertices,
     corners.x[k] = hn::Set(d, vertex(0)[0]);
     corners.y[k] = hn::Set(d, vertex(0)[1]);
 #else
-    const auto even = LoadEverySecond(d, vertex);
-    const auto odd = LoadEverySecond(d, [&](int i) { return vertex(i + 1); });
+    const auto even = LoadEvery<2>(d, vertex);
+    const auto odd = LoadEvery<2>(d, [&](int i) { return vertex(i + 1); });
     corners.x[k] = hn::OddEven(hn::DupEven(odd), even);
     corners.y[k] = hn::OddEven(odd, hn::DupOdd(even));
 #endif

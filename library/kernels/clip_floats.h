@@ -26,25 +26,12 @@ struct ClipCorner {
   VF x, y, z, w;
 };
 
-/// The vertices at vertex(0), vertex(4), ..., four lanes of each.
-template <class D, class VertexAt>
-HWY_INLINE hn::Vec<D> LoadEveryFourth(D d, const VertexAt& vertex) {
-  if constexpr (kLanesOf<D> == 4) {
-    return hn::LoadU(d, vertex(0));
-  } else {
-    constexpr int kHalf = kLanesOf<D> / 2;
-    const hn::Half<D> half;
-    return hn::Combine(d, LoadEveryFourth(half, [&](int i) { return vertex(kHalf + i); }),
-                       LoadEveryFourth(half, vertex));
-  }
-}
-
 HWY_INLINE ClipCorner LoadClipCorner(const float* vertices, const std::uint32_t* indices) {
   const DF d;
   const hn::Repartition<double, DF> pairs;
   const auto load = [&](int from) {
-    return LoadEveryFourth(
-        d, [&](int i) { return vertices + std::size_t{4} * indices[3 * (from + i)]; });
+    return LoadEvery<4>(d,
+                        [&](int i) { return vertices + std::size_t{4} * indices[3 * (from + i)]; });
   };
   const auto low = [&](VF a, VF b) {
     return hn::BitCast(d, hn::InterleaveLower(pairs, hn::BitCast(pairs, a), hn::BitCast(pairs, b)));

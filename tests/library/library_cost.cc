@@ -49,6 +49,24 @@ OwnedMesh GridMesh(const char* name, double step_x, double step_y, double lattic
   return mesh;
 }
 
+// As far from one another as in no mesh: each worker reaches all of its target.
+OwnedMesh ScatteredMesh(const char* name, std::uint32_t triangles, double side) {
+  OwnedMesh mesh{.name = name};
+  std::mt19937_64 bits(36);
+  const auto uniform = [&](double most) {
+    return static_cast<float>(static_cast<double>(bits() >> 11) * 0x1p-53 * most);
+  };
+  for (std::uint32_t t = 0; t < triangles; ++t) {
+    const float x = uniform(kWidth - side);
+    const float y = uniform(kHeight - side);
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      mesh.positions.insert(mesh.positions.end(), {x + uniform(side), y + uniform(side), 0});
+      mesh.indices.push_back(3 * t + k);
+    }
+  }
+  return mesh;
+}
+
 // The test of many engines: a box that rounds to no pixel in x or in y has no centre in it.
 void DropSmallTriangles(const RasterMesh& mesh, std::span<std::uint8_t> is_empty) {
   for (std::size_t t = 0; t < is_empty.size(); ++t) {
@@ -151,6 +169,8 @@ void PrintAll() {
   PrintGains(GridMesh("tiny", 2.5, 2.5, 0), two);
   PrintGains(GridMesh("small", 6, 6, 0), two);
   PrintGains(GridMesh("medium", 20, 20, 0), two);
+  PrintGains(ScatteredMesh("scattered", 50'000, 5), two);
+  PrintGains(ScatteredMesh("scattered", 400'000, 5), two);
 }
 
 }  // namespace

@@ -18,7 +18,6 @@ namespace rasterproof::library::kernels::HWY_NAMESPACE {
 constexpr int kLeftOut = 7;
 
 struct alignas(64) ClipBlock {
-  double x[3][kBlock], y[3][kBlock], z[3][kBlock], w[3][kBlock];
   /// A row at y crosses edge e at slope y + from, from with 1/2 + the error. A fraction of at least
   /// twice_error, the largest one, tells the column. An edge without a guess cuts nothing
   /// here: CutExactly or ClipRows does. Of edge kNearEdge: where a group of lanes has one in `cut`.
@@ -45,10 +44,11 @@ struct alignas(64) ClipBlock {
   HWY_INLINE ClipTriangle TriangleOf(const KernelView& view, int i) const {
     ClipTriangle t;
     for (int k = 0; k < 3; ++k) {
-      t.x[k] = x[k][i];
-      t.y[k] = y[k][i];
-      t.z[k] = z[k][i];
-      t.w[k] = w[k][i];
+      const float* vertex = view.vertices + std::size_t{4} * indices[3 * i + k];
+      t.x[k] = vertex[0];
+      t.y[k] = vertex[1];
+      t.z[k] = vertex[2];
+      t.w[k] = vertex[3];
     }
     t.near_plane = view.near_plane;
     return t;
@@ -387,19 +387,16 @@ HWY_INLINE void SetUpGroup(const KernelView& view, std::uint32_t wanted, bool wi
                            ClipBlock& block) {
   const DD dd;
   const ClipGroup g(view.vertices, block.indices + 3 * at);
-  MD cut;
-  const MD seen = MayBeSeen(view, g, cut);
-  std::uint32_t drawn = wanted & Bits32(hn::And(seen, StoreClipBox(view, g, wanted, at, block)));
+  MD cut = MaskOf(dd, 0);
+  std::uint32_t drawn = 0;
+  if (wanted != 0) {
+    const MD seen = MayBeSeen(view, g, cut);
+    drawn = wanted & Bits32(hn::And(seen, StoreClipBox(view, g, wanted, at, block)));
+  }
   const std::uint32_t needed =
       drawn | (((kNeedsPlane ? block.drawn : block.near) >> at) & kAllDoubles);
   with_edges |= drawn != 0;
   if (needed == 0) return;
-  for (int k = 0; k < 3; ++k) {
-    hn::Store(g.x[k], dd, block.x[k] + at);
-    hn::Store(g.y[k], dd, block.y[k] + at);
-    hn::Store(g.z[k], dd, block.z[k] + at);
-    hn::Store(g.w[k], dd, block.w[k] + at);
-  }
   const ClipNormals n[3] = {{g, 0, 1}, {g, 1, 2}, {g, 2, 0}};
   const VD determinant = ClipDeterminants<kNeedsPlane>(view, g, n[1], needed, at, block);
   if constexpr (kNeedsPlane) StoreClipPlane(g, n, determinant, at, block);

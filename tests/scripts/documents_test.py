@@ -65,7 +65,8 @@ class BenchTablesTest(unittest.TestCase):
                  "sentence": "Use doubles: so.",
                  "a_wrong": "never", "b_wrong": "never"}  # fmt: skip
         self.result = {"load_before": 0.1, "load_after": 1.1, "claims": [claim],
-                       "methods": [{"target": "avx2"}, {"target": "compiler"}]}  # fmt: skip
+                       "rows": [{"target": "avx2"}, {"target": "compiler"}],
+                       "methods": [{"target": "avx512"}]}  # of a curve; fmt: skip
 
     def test_a_run_on_a_busy_machine_is_not_quoted(self):
         self.assertEqual(self.script.busy(self.result), "")
@@ -75,7 +76,7 @@ class BenchTablesTest(unittest.TestCase):
         self.assertIn("Not to be quoted", lines[-1])
 
     def test_the_first_run_speaks_and_others_stand_beside_it(self):
-        wide = {**self.result, "methods": [{"target": "avx512"}]}
+        wide = {**self.result, "rows": [{"target": "avx512"}]}
         self.assertEqual(self.script.sentences(["doubles"], [wide, self.result]),
                          ["- Use doubles: so. By avx2: 2 [1.9, 2.1]."])  # fmt: skip
         table = self.script.claims([wide, self.result])

@@ -26,15 +26,15 @@ struct alignas(64) ClipBlock {
   double row_of[3][kBlock];  ///< corners' y / w; of `stepped`
   double zc[kBlock], zx[kBlock], zy[kBlock];
   std::int32_t x0[kBlock], x1[kBlock], y0[kBlock], y1[kBlock];
-  std::uint64_t masks[kBlock];  ///< of small ones
-  NearBlock near_rows;
-  const std::uint32_t* indices;
-  int left_out = 0;
+  std::uint64_t masks[kBlock];   ///< of small ones
+  NearBlock near_rows;           ///< of those in `near`
+  const std::uint32_t* indices;  ///< of the block's triangles
+  int left_out = 0;              ///< blocks that float32 is not asked of: see kLeftOut
   // Bit i is triangle i.
   std::uint32_t drawn;
   std::uint32_t front;
   std::uint32_t small;        ///< box at most 8x8, and no row that a guess does not tell
-  std::uint32_t near;         ///< of near_rows
+  std::uint32_t near;         ///< begun in float32, by rows
   std::uint32_t stepped;      ///< before the eye, no corner beyond kSteppedSide
   std::uint32_t in_double;    ///< of which edges are set up
   std::uint32_t cut;          ///< by the near plane

@@ -48,7 +48,7 @@ inline constexpr double kClipNearCrossingError = 0x1p-50;
 // Triangles before the eye and the near plane, wholly on the target, of boxes up to kNearSide a
 // side, are guessed in float32 (clip_floats.h), v = 2^-24. A corner relative to the first pixel of
 // its box, (x - w x0) / w, is a fused difference, a reciprocal and their product: off by 3.01 v of
-// itself, for w within kClipTameW keeps what underflows below 2^-80. Where the row at y lies
+// itself; a w of tame size keeps what underflows below 2^-80. Where the row at y lies
 // between both ends of an edge, true and computed, the point of one that the same share of the way
 // leads to on the other is off by as much in x and in y: so the crossing moves by (1 + s) times a
 // corner's error, s the slope |dx / dy| of the computed edge. On top comes what the guess from
@@ -86,6 +86,7 @@ inline constexpr float kClipStepError = 2 * kStepError;
 /// A corner nearer to a row's centre is not told there: y / w is off by 2 u of at most
 /// kSteppedSide, and a difference rounds: < 2^-37.
 /// Proof:      reference/proofs/clip_floats.g.
+/// Measured:   largest error / bound 0.00271, by the same test.
 inline constexpr double kClipRowRoom = 0x1p-30;
 
 /// A guess that may be off by more than this decides nothing: its row is searched exactly.

@@ -49,6 +49,7 @@ HWY_INLINE ClipCorner LoadClipCorner(const float* vertices, const std::uint32_t*
   const VF zw23 = hn::InterleaveUpper(d, v2, v3);
   return {low(xy01, xy23), high(xy01, xy23), low(zw01, zw23), high(zw01, zw23)};
 }
+
 /// The triangles of one group of lanes, projected.
 struct ProjectedGroup {
   Corners<VF> c;             ///< relative to the first pixel of the box, least y first
@@ -163,8 +164,8 @@ class SmallClipMasks {
   hn::Mask<DI> long_is_left_ = hn::Lt(halves_[0], halves_[0]);
 };
 
-/// Sets up one group of lanes. Returns the lanes that are done: small ones, near ones
-/// and those that cover nothing; of the others nothing is known, and stored any number.
+/// Sets up one group of lanes. Returns those that are done: small ones, near ones and those that
+/// cover nothing; of the others nothing is known, and stored any number.
 template <bool kFacing, class SomeBlock>
 HWY_INLINE std::uint32_t SetUpFloats(const KernelView& view, const std::uint32_t* indices, int at,
                                      SomeBlock& block) {

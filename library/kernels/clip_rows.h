@@ -212,7 +212,7 @@ HWY_INLINE bool DrawClipSteps(const KernelView& view, const ClipBlock& block, in
     const int e = opposite == 2 ? 0 : opposite + 1;
     const double slope = block.slope[e][i];
     return edge.Start(slope, first, end, rows.first,
-                      [&](double y) { return y * slope + (block.from[e][i] + kStepError); });
+                      [&](double y) { return (y * slope + block.from[e][i]) + kStepError; });
   };
   if (!start(whole, rows.middle, rows.first, rows.end)) return false;
   if (!start(upper, rows.bottom, rows.first, rows.turn)) return false;

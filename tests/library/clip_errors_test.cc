@@ -267,9 +267,16 @@ double StepError(const ClipVertex& vi, const ClipVertex& vj, int height) {
   return worst;
 }
 
+// The error of a vertex's row in double, over the room that it has.
+double RowErrorInDouble(const ClipVertex& v) {
+  const Rational off = Rational(v.y * (1 / double{v.w})) - Rational(v.y) / Rational(v.w);
+  return off.Abs().ToDouble() / kClipRowRoom;
+}
+
 TEST(ClipKernel, FloatGuessesStayWithinTheirErrors) {
   reference::RandomValues random(14);
   double stepped = 0;
+  double row_in_double = 0;
   double row = 0;
   double small = 0;
   double near = 0;
@@ -286,7 +293,10 @@ TEST(ClipKernel, FloatGuessesStayWithinTheirErrors) {
         return ClipVertex{static_cast<float>(random.Uniform(-kSide, kSide) * w),
                           static_cast<float>(random.Uniform(0, kSide) * w), 0, w};
       };
-      stepped = std::max(stepped, StepError(vertex(), vertex(), static_cast<int>(kSide)));
+      const ClipVertex vi = vertex();
+      const ClipVertex vj = vertex();
+      stepped = std::max(stepped, StepError(vi, vj, static_cast<int>(kSide)));
+      row_in_double = std::max(row_in_double, RowErrorInDouble(vi));
     }
     if (!corners.is_told) continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -298,7 +308,10 @@ TEST(ClipKernel, FloatGuessesStayWithinTheirErrors) {
     }
   }
   std::cout << "largest error / bound: corner's row " << row << ", guess " << small
-            << ", of a near triangle " << near << ", stepped " << stepped << '\n';
+            << ", of a near triangle " << near << ", stepped " << stepped << ", a row in double "
+            << row_in_double << '\n';
+  EXPECT_LT(row_in_double, 1);
+  EXPECT_GT(row_in_double, 0);
   for (const double worst : {row, small, near, stepped}) {
     EXPECT_LT(worst, 1);
     EXPECT_GT(worst, 0.03) << "the search looks where there is no error";

@@ -32,10 +32,13 @@ enum class DomainTheme : std::uint8_t {
 struct Domain {
   /// Part of the seed of a case, and the byte that names the domain in a fuzz input (no byte does
   /// from 256 on). From 1 on, unique, and never given to another recipe, not even after the domain
-  /// is removed: tests/props/domain_bits_test.cc has all that were given. A recipe that changes its
-  /// draws gets a new number: names of its cases then mean wholly new cases, and an old fuzz input
-  /// means none of them.
+  /// is removed: tests/props/domain_bits_test.cc has those that are no longer used. A recipe that
+  /// changes its draws gets a new number: names of its cases then mean wholly new cases, and an old
+  /// fuzz input means none of them.
   std::uint16_t number = 0;
+  /// The hash of its first cases, which domain_bits_test compares with what is drawn, and prints
+  /// for a new number. It is never changed alone.
+  std::uint64_t bits = 0;
   /// Domains are listed by this: ten times the number, unless it says otherwise.
   std::uint16_t listed = static_cast<std::uint16_t>(10 * number);
   std::string_view name;     ///< "needles", "edges-through-samples"

@@ -128,6 +128,7 @@ static Case ClosedMesh(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kClosedMeshDomain{
     .number = 37,
+    .bits = 0x5eb09dd8a82086f0,
     .name = "closed-mesh",
     .summary = "a closed surface folded flat: front minus back is zero everywhere",
     .theme = DomainTheme::kMeshes,
@@ -158,6 +159,7 @@ static Case ClosedAroundEye(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kClosedAroundEyeDomain{
     .number = 96,
+    .bits = 0x2dca34b871b0039a,
     .listed = 411,
     .name = "closed-around-eye",
     .summary = "a closed surface around the eye, or cut by the plane of the eye",
@@ -196,6 +198,7 @@ static Case MeshesAroundEye(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kMeshesAroundEyeDomain{
     .number = 97,
+    .bits = 0xaa883c3ecb1f2a70,
     .listed = 662,
     .name = "meshes-around-eye",
     .summary = "closed around the eye, or open, and no triangle hides another",
@@ -213,6 +216,7 @@ static Case Perspective(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kPerspectiveDomain{.number = 40,
+                                                 .bits = 0x52c48773dd390dbd,
                                                  .name = "perspective",
                                                  .summary = "clip space, every w positive",
                                                  .theme = DomainTheme::kClip,
@@ -227,6 +231,7 @@ static Case MixedW(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kMixedWDomain{
     .number = 41,
+    .bits = 0xcb0e8109c5b814c3,
     .name = "mixed-w",
     .summary = "w -> 0, w == 0, and both signs of w in one triangle",
     .theme = DomainTheme::kClip,
@@ -252,6 +257,7 @@ static Case OneVertexBehind(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kOneVertexBehindDomain{
     .number = 65,
+    .bits = 0xdd2aa0a9c694445e,
     .name = "one-vertex-behind",
     .summary = "one vertex of a triangle behind the eye, two in front",
     .theme = DomainTheme::kClip,
@@ -281,6 +287,7 @@ static Case HardestRays(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kHardestRaysDomain{
     .number = 66,
+    .bits = 0xf016da7c25b1ac56,
     .name = "hardest-rays",
     .summary = "clip-space edges whose value at a sample is the smallest that is not zero",
     .theme = DomainTheme::kClip,

@@ -254,6 +254,7 @@ static Case RoundedArrangements(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kRoundedArrangementsDomain{
     .number = 77,
+    .bits = 0x6474fca426d57fe3,
     .name = "rounded-arrangements",
     .summary = "lines whose crossings are rounded: flat and inverted triangles in a mesh",
     .theme = DomainTheme::kMeshes,
@@ -294,6 +295,7 @@ static Case EqualAfterSnap(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kEqualAfterSnapDomain{
     .number = 78,
+    .bits = 0xe1c418da1cbc6224,
     .name = "equal-after-snap",
     .summary = "grids of vertices that only the snap makes equal or collinear",
     .theme = DomainTheme::kSnapping,
@@ -319,6 +321,7 @@ static Case EarcutMeshes(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kEarcutMeshesDomain{
     .number = 79,
+    .bits = 0xa66c9628c808f0f4,
     .name = "earcut-meshes",
     .summary = "polygons cut into ears, their holes joined by bridges of repeated vertices",
     .theme = DomainTheme::kMeshes,

@@ -174,6 +174,7 @@ static Case LongLists(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kLongListsDomain{
     .number = 69,
+    .bits = 0x6bebb1b4cd9b1361,
     .listed = 581,
     .name = "many-triangles",
     .summary = "2^8 to 2^16 triangles or vertices and more, those beyond alone on their side",
@@ -192,6 +193,7 @@ static Case Crowds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kCrowdsDomain{
     .number = 60,
+    .bits = 0x593877c183869e9,
     .name = "crowds",
     .summary = "3 to 40 triangles of all kinds, around the numbers of lanes of a vector",
     .theme = DomainTheme::kCalls,
@@ -221,6 +223,7 @@ static Case EveryLane(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kEveryLaneDomain{
     .number = 86,
+    .bits = 0x2792612688570953,
     .name = "every-lane",
     .summary = "one triangle at each place of a list, around the numbers of lanes",
     .theme = DomainTheme::kCalls,

@@ -57,6 +57,7 @@ static Case SnapTies(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSnapTiesDomain{
     .number = 24,
+    .bits = 0x4f204425accba998,
     .name = "snap-ties",
     .summary = "vertices half way between subpixels, one ulp beside, and anywhere between",
     .theme = DomainTheme::kSnapping,
@@ -99,6 +100,7 @@ static Case Degenerate(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kDegenerateDomain{.number = 25,
+                                                .bits = 0xf51c7d032c605b01,
                                                 .name = "degenerate",
                                                 .summary = "equal, repeated and collinear vertices",
                                                 .theme = DomainTheme::kNothing,
@@ -132,6 +134,7 @@ static Case SignedZeros(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kSignedZerosDomain{.number = 26,
+                                                 .bits = 0x1250c27886f2730e,
                                                  .name = "signed-zeros",
                                                  .summary = "-0 beside +0",
                                                  .theme = DomainTheme::kNothing,
@@ -155,6 +158,7 @@ static Case NonFiniteDepths(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kNonFiniteDepthsDomain{.number = 64,
+                                                     .bits = 0xea505ce0d86ea282,
                                                      .name = "non-finite-depths",
                                                      .summary = "NaN and infinities in z alone",
                                                      .theme = DomainTheme::kNothing,
@@ -185,6 +189,7 @@ static Case NonFinite(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kNonFiniteDomain{.number = 27,
+                                               .bits = 0xed0bc9be91ef3ee5,
                                                .name = "non-finite",
                                                .summary = "NaN and infinities in some coordinates",
                                                .theme = DomainTheme::kNothing,

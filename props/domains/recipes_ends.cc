@@ -91,6 +91,7 @@ static Case AccumulatorEnds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kAccumulatorEndsDomain{
     .number = 67,
+    .bits = 0xd5730c5f4c9f0cae,
     .listed = 601,
     .name = "accumulator-ends",
     .summary = "edge values and areas next to what 16, 24 and 32 bits hold",
@@ -119,6 +120,7 @@ static Case UnderflowingProducts(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kUnderflowingProductsDomain{
     .number = 62,
+    .bits = 0xe1fe6215c87eb040,
     .name = "underflowing-products",
     .summary = "edges through samples, told apart by products that underflow alone",
     .theme = DomainTheme::kMagnitudes,
@@ -176,6 +178,7 @@ static Case NearRectangles(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kNearRectanglesDomain{
     .number = 68,
+    .bits = 0xa2a6e262bc44f529,
     .listed = 621,
     .name = "near-rectangles",
     .summary = "pairs on a diagonal: rectangles, kites, trapezia, a step off, under a pixel",

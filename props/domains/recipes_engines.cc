@@ -261,6 +261,7 @@ static Case Cameras(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kCamerasDomain{
     .number = 102,
+    .bits = 0xc1eeda5302d3ae3a,
     .listed = 791,
     .name = "cameras",
     .summary = "grids seen by cameras: float matrices, any depth range, 20 to 179 degrees",
@@ -304,6 +305,7 @@ static Case ScaledViewports(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kScaledViewportsDomain{
     .number = 81,
+    .bits = 0x5ecbd54bc8e28841,
     .name = "scaled-viewports",
     .summary = "grids scaled by 1.25, 1.5, 1/1080 or half an odd size, and moved, in floats",
     .theme = DomainTheme::kSnapping,
@@ -353,6 +355,7 @@ static Case FrameSweeps(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFrameSweepsDomain{
     .number = 103,
+    .bits = 0x9aad71cdd65589ab,
     .listed = 841,
     .name = "frame-sweeps",
     .summary = "a fan frame after frame: 1/256 pixel on, a lattice step on, turned a little",

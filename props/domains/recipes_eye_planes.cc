@@ -100,6 +100,7 @@ static Case EyePlanes(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kEyePlanesDomain{
     .number = 94,
+    .bits = 0xd6a7f0e352989e42,
     .name = "eye-planes",
     .summary = "planes next to the eye: determinants that cancel, edges through samples",
     .theme = DomainTheme::kClip,

@@ -164,6 +164,7 @@ static Case FarCorners(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFarCornersDomain{
     .number = 90,
+    .bits = 0x6300680f30d05176,
     .name = "far-corners",
     .summary = "pairs with corners beside every power of two up to the stated limit",
     .theme = DomainTheme::kMagnitudes,
@@ -182,6 +183,7 @@ static Case NearBesideFar(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kNearBesideFarDomain{
     .number = 95,
+    .bits = 0xc2b6b4ad8fa55f1f,
     .name = "near-beside-far",
     .summary = "pairs that share an edge between grid points, one with a far third corner",
     .theme = DomainTheme::kMagnitudes,

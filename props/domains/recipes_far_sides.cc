@@ -74,6 +74,7 @@ static Case FarSides(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFarSidesDomain{
     .number = 70,
+    .bits = 0xc281c76bcbcd063b,
     .name = "far-sides",
     .summary = "edges as wide as the stated range, targets of up to 4096 a side",
     .theme = DomainTheme::kMagnitudes,

@@ -138,6 +138,7 @@ static Case Folds(BitSource& bits, const SubjectInfo& info) { return Folded(bits
 
 extern constinit const Domain kFoldsDomain{
     .number = 48,
+    .bits = 0x17152c45d17b1a49,
     .name = "folds",
     .summary = "strips and fans of triangles a step of the grid high: a legal choice turns",
     .theme = DomainTheme::kSnapping,
@@ -156,6 +157,7 @@ static Case ClosedFolds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kClosedFoldsDomain{
     .number = 49,
+    .bits = 0x37f644e123a94f2,
     .name = "closed-folds",
     .summary = "the same with the back of each triangle: closed, whatever is chosen",
     .theme = DomainTheme::kSnapping,

@@ -100,6 +100,7 @@ static Case OffGridFragments(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kOffGridFragmentsDomain{
     .number = 98,
+    .bits = 0x6bcb625f925c8caa,
     .listed = 522,
     .name = "off-grid-fragments",
     .summary = "small triangles, fans and quads whose corners lie between grid points",

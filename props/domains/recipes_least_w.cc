@@ -37,6 +37,7 @@ static Case LeastW(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kLeastWDomain{
     .number = 93,
+    .bits = 0xd7427ce52bb2e7d0,
     .name = "least-w",
     .summary = "one w or all so small that its reciprocal overflows, places on the target",
     .theme = DomainTheme::kClip,

@@ -91,6 +91,7 @@ static Case NearRepeats(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kNearRepeatsDomain{
     .number = 43,
+    .bits = 0x72b9650315360868,
     .name = "near-repeats",
     .summary = "each triangle the one before but for a coordinate or a corner, or beside it",
     .theme = DomainTheme::kCalls,
@@ -114,6 +115,7 @@ static Case SparseIndices(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSparseIndicesDomain{
     .number = 44,
+    .bits = 0x6ea3043e9d4d20be,
     .name = "sparse-indices",
     .summary = "indices of vertices that agree in their lower bits",
     .theme = DomainTheme::kCalls,
@@ -142,6 +144,7 @@ static Case AliasedIndices(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kAliasedIndicesDomain{
     .number = 91,
+    .bits = 0xb897b7c8653ed4d8,
     .name = "aliased-indices",
     .summary = "vertices that agree in 8 or 16 bits of their index, and in a coordinate",
     .theme = DomainTheme::kCalls,

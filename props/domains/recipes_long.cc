@@ -40,6 +40,7 @@ static Case LeastAreas(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kLeastAreasDomain{
     .number = 99,
+    .bits = 0x72f7c7b9484cb03,
     .listed = 531,
     .name = "least-areas",
     .summary = "slivers of every length, as thin as the lattice allows, around a sample",
@@ -71,6 +72,7 @@ static Case RowsAndColumns(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kRowsAndColumnsDomain{
     .number = 55,
+    .bits = 0xc30d7c15af224857,
     .name = "rows-and-columns",
     .summary = "edges of every length along a row or a column of samples",
     .theme = DomainTheme::kNearEdges,

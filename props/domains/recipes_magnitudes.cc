@@ -73,6 +73,7 @@ static Case Needles(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kNeedlesDomain{
     .number = 9,
+    .bits = 0xee886acb3d800398,
     .name = "needles",
     .summary = "up to 8192 pixels long and 2^-20 to 1 pixel wide",
     .theme = DomainTheme::kThin,
@@ -98,6 +99,7 @@ static Case FarSlivers(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kFarSliversDomain{.number = 11,
+                                                .bits = 0x29a3c3a3a3c7aaf5,
                                                 .name = "far-slivers",
                                                 .summary = "1e30 long and one ulp wide",
                                                 .theme = DomainTheme::kThin,
@@ -135,6 +137,7 @@ static Case OffsetCancellation(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kOffsetCancellationDomain{
     .number = 12,
+    .bits = 0xb9036bf66ef85de3,
     .name = "offset-cancellation",
     .summary = "small triangles and ends of near edges at 2^13 to 2^22",
     .theme = DomainTheme::kMagnitudes,
@@ -169,6 +172,7 @@ static Case Subnormal(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSubnormalDomain{
     .number = 13,
+    .bits = 0x213afcb9dc59e470,
     .name = "subnormal",
     .summary = "subnormal coordinates and products beside ordinary ones",
     .theme = DomainTheme::kMagnitudes,
@@ -199,6 +203,7 @@ static Case ProductOverflow(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kProductOverflowDomain{
     .number = 14,
+    .bits = 0x43d60954733de661,
     .name = "product-overflow",
     .summary = "coordinates whose products overflow, in every quadrant",
     .theme = DomainTheme::kMagnitudes,
@@ -234,6 +239,7 @@ static Case LargestAndSmallest(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kLargestAndSmallestDomain{
     .number = 15,
+    .bits = 0x671b80373c51d995,
     .name = "largest-and-smallest",
     .summary = "the largest and the smallest floats in one triangle",
     .theme = DomainTheme::kMagnitudes,
@@ -260,6 +266,7 @@ static Case MixedMagnitude(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kMixedMagnitudeDomain{
     .number = 16,
+    .bits = 0xe65728365063bf51,
     .name = "mixed-magnitude",
     .summary = "magnitudes log-uniform per vertex, signs per quadrant",
     .theme = DomainTheme::kMagnitudes,
@@ -292,6 +299,7 @@ static Case CoordinateLimits(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kCoordinateLimitsDomain{
     .number = 17,
+    .bits = 0x27d0e2f7d6e7d38c,
     .name = "coordinate-limits",
     .summary = "2^15, 2^24, the limit, int16 and int32 in subpixels, and a step beside",
     .theme = DomainTheme::kMagnitudes,

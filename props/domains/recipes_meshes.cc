@@ -196,6 +196,7 @@ static Case SharedEdge(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSharedEdgeDomain{
     .number = 29,
+    .bits = 0xba92d18cbd162a38,
     .name = "shared-edge",
     .summary = "two triangles whose common edge passes samples on or near it",
     .theme = DomainTheme::kMeshes,
@@ -225,6 +226,7 @@ static Case Fans(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFansDomain{
     .number = 30,
+    .bits = 0x84546d08f18b4ac2,
     .name = "fans",
     .summary = "a hub on a sample or a step off it, up to 128 triangles around",
     .theme = DomainTheme::kMeshes,
@@ -240,6 +242,7 @@ static Case Strips(BitSource& bits, const SubjectInfo& info) {
 }
 
 extern constinit const Domain kStripsDomain{.number = 31,
+                                            .bits = 0x2b2adddecf528e9,
                                             .name = "strips",
                                             .summary = "one row of quads, regular or jittered",
                                             .theme = DomainTheme::kMeshes,
@@ -255,6 +258,7 @@ static Case Grids(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kGridsDomain{
     .number = 32,
+    .bits = 0xd418d8ca2e6e7f1e,
     .name = "grids",
     .summary = "rows of quads, regular or jittered, diagonals either way",
     .theme = DomainTheme::kMeshes,
@@ -285,6 +289,7 @@ static Case EverySize(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kEverySizeDomain{
     .number = 100,
+    .bits = 0x5d18162ac0d222f8,
     .listed = 701,
     .name = "every-size",
     .summary = "meshes of every size up to 2^15, whatever the range; unequal neighbours",
@@ -312,6 +317,7 @@ static Case PerspectiveMeshes(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kPerspectiveMeshesDomain{
     .number = 46,
+    .bits = 0x564e3a674814dac5,
     .listed = 661,
     .name = "perspective-meshes",
     .summary = "grids in clip space, in front of the eye, each vertex with a w of its own",
@@ -353,6 +359,7 @@ static Case SharedSnapTies(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSharedSnapTiesDomain{
     .number = 45,
+    .bits = 0x7b85fab785e1cef0,
     .name = "shared-snap-ties",
     .summary = "two triangles whose common edge ends between subpixels and passes a sample",
     .theme = DomainTheme::kSnapping,

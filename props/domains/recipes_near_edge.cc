@@ -87,6 +87,7 @@ static Case EdgesThroughSamples(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kEdgesThroughSamplesDomain{
     .number = 4,
+    .bits = 0x82501df505f3892,
     .name = "edges-through-samples",
     .summary = "edges that pass exactly through many samples",
     .theme = DomainTheme::kNearEdges,
@@ -111,6 +112,7 @@ static Case NearEdge(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kNearEdgeDomain{
     .number = 5,
+    .bits = 0xfcc525f375a435f6,
     .name = "near-edge",
     .summary = "samples 0, 1, 2, ... lattice steps off an edge, by construction",
     .theme = DomainTheme::kNearEdges,
@@ -139,6 +141,7 @@ static Case HardestSamples(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kHardestSamplesDomain{
     .number = 6,
+    .bits = 0x6b7a4bd57c50acc8,
     .name = "hardest-sample",
     .summary = "the sample of smallest non-zero |E| along an edge of up to 16384 pixels",
     .theme = DomainTheme::kNearEdges,
@@ -160,6 +163,7 @@ static Case HardestVertices(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kHardestVerticesDomain{
     .number = 7,
+    .bits = 0xe4edd05b6b7a9e96,
     .name = "hardest-vertex",
     .summary = "the vertex of smallest non-zero |E| at a sample, by extended Euclid",
     .theme = DomainTheme::kNearEdges,
@@ -187,6 +191,7 @@ static Case UlpExtremes(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kUlpExtremesDomain{
     .number = 8,
+    .bits = 0x98d5e16434f09c93,
     .name = "ulp-extremes",
     .summary = "hardest vertices whose edge runs from the smallest ulp to the largest",
     .theme = DomainTheme::kNearEdges,
@@ -206,6 +211,7 @@ static Case Caps(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kCapsDomain{
     .number = 10,
+    .bits = 0x5c03bfae181c0847,
     .name = "caps",
     .summary = "the apex on a sample, one step off the opposite edge",
     .theme = DomainTheme::kThin,
@@ -241,6 +247,7 @@ static Case LongRows(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kLongRowsDomain{
     .number = 38,
+    .bits = 0x5a6f72d35c827e89,
     .name = "long-rows",
     .summary = "rows and columns of up to 16384 samples, hard at their far end",
     .theme = DomainTheme::kNearEdges,
@@ -275,6 +282,7 @@ static Case PatternLines(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kPatternLinesDomain{
     .number = 88,
+    .bits = 0xe99927507394bffd,
     .name = "pattern-lines",
     .summary = "edges that pass exactly through many samples of a pattern of several",
     .theme = DomainTheme::kNearEdges,

@@ -34,6 +34,7 @@ static Case UniformSubpixel(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kUniformSubpixelDomain{
     .number = 1,
+    .bits = 0x690c8ef9c3c44a28,
     .name = "uniform-subpixel",
     .summary = "ordinary triangles, half of their coordinates on samples",
     .theme = DomainTheme::kOrdinary,
@@ -58,6 +59,7 @@ static Case VerticesOnSamples(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kVerticesOnSamplesDomain{
     .number = 2,
+    .bits = 0x4143ee6228f2987e,
     .name = "vertices-on-samples",
     .summary = "every vertex on a sample, some on half pixels",
     .theme = DomainTheme::kNearEdges,
@@ -83,6 +85,7 @@ static Case AxisAligned(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kAxisAlignedDomain{
     .number = 3,
+    .bits = 0x7b57ac5dbf0e0ef3,
     .name = "axis-aligned",
     .summary = "rectangles and right triangles with edges along rows and columns of samples",
     .theme = DomainTheme::kNearEdges,
@@ -104,6 +107,7 @@ static Case VertexOrders(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kVertexOrdersDomain{
     .number = 28,
+    .bits = 0xf04acac1f4f81f4e,
     .name = "vertex-orders",
     .summary = "one triangle in all six vertex orders",
     .theme = DomainTheme::kOrdinary,
@@ -134,6 +138,7 @@ static Case TargetSizes(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTargetSizesDomain{
     .number = 39,
+    .bits = 0x435d30aee11c791e,
     .name = "target-sizes",
     .summary = "targets of 1 to 16384 a side, boxes as large both ways",
     .theme = DomainTheme::kCalls,

@@ -55,6 +55,7 @@ static Case WrappedCoordinates(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kWrappedCoordinatesDomain{
     .number = 50,
+    .bits = 0xdb2de020fca18e05,
     .name = "wrapped-coordinates",
     .summary = "coordinates beyond a range that wraps, and beside its ends",
     .theme = DomainTheme::kMagnitudes,
@@ -101,6 +102,7 @@ static Case PrimitiveExtentEnds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kPrimitiveExtentEndsDomain{
     .number = 51,
+    .bits = 0x4b825be7a150b730,
     .name = "primitive-extent-ends",
     .summary = "triangles of the largest extent that is drawn, a step less and more",
     .theme = DomainTheme::kMagnitudes,
@@ -145,6 +147,7 @@ static Case GuardBandEnds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kGuardBandEndsDomain{
     .number = 52,
+    .bits = 0xf29edd887529558a,
     .name = "guard-band-ends",
     .summary = "meshes with vertices on either side of the guard-band rectangle",
     .theme = DomainTheme::kMagnitudes,
@@ -178,6 +181,7 @@ static Case OffGridMoves(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kOffGridMovesDomain{
     .number = 72,
+    .bits = 0xdd9e7a71873f94e,
     .listed = 521,
     .name = "off-grid-moves",
     .summary = "triangles off the grid that stay inside when moved, and exact in float32",
@@ -205,6 +209,7 @@ static Case TargetSizeEnds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTargetSizeEndsDomain{
     .number = 53,
+    .bits = 0x6c2cc600d67e26bf,
     .name = "target-size-ends",
     .summary = "ties of the snap on the largest targets of each model, and on larger ones",
     .theme = DomainTheme::kCalls,

@@ -80,6 +80,7 @@ static Case RangeEnds(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kRangeEndsDomain{
     .number = 18,
+    .bits = 0xfcb7fc6849ab4df6,
     .name = "range-ends",
     .summary = "triangles and needles from one end of the stated range to the other",
     .theme = DomainTheme::kMagnitudes,
@@ -108,6 +109,7 @@ static Case FarNegativeCorners(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFarNegativeCornersDomain{
     .number = 19,
+    .bits = 0xf5ccd248e0025ed9,
     .name = "far-negative-corners",
     .summary = "a corner far to the left and one far above, as where a picture is tiled",
     .theme = DomainTheme::kMagnitudes,
@@ -148,6 +150,7 @@ static Case RoundedDifferences(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kRoundedDifferencesDomain{
     .number = 20,
+    .bits = 0xb852f3049d66f8b,
     .name = "rounded-differences",
     .summary = "an end next to the origin, the sample's differences with it rounded",
     .theme = DomainTheme::kNearEdges,
@@ -179,6 +182,7 @@ static Case SubPixelTriangles(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSubPixelTrianglesDomain{
     .number = 21,
+    .bits = 0x8544d5ee2e675b6e,
     .name = "sub-pixel-triangles",
     .summary = "triangles smaller than a pixel, an edge as near to the sample as can be",
     .theme = DomainTheme::kOrdinary,
@@ -228,6 +232,7 @@ static Case DecidingSnapTies(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kDecidingSnapTiesDomain{
     .number = 22,
+    .bits = 0x86386b3ce65959c,
     .name = "deciding-snap-ties",
     .summary = "vertices at or beside ties of the snap that decide who owns a sample",
     .theme = DomainTheme::kSnapping,
@@ -266,6 +271,7 @@ static Case FullCoverage(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFullCoverageDomain{
     .number = 23,
+    .bits = 0x9d026271490022d,
     .name = "full-coverage",
     .summary = "targets of up to 512x256, covered almost all over several times",
     .theme = DomainTheme::kOrdinary,

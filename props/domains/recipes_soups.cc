@@ -144,6 +144,7 @@ static Case TessellationCracks(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTessellationCracksDomain{
     .number = 82,
+    .bits = 0xebf9e87df878dca5,
     .name = "tessellation-cracks",
     .summary = "patches that divide their edge unequally: the oracle's count, not 1",
     .theme = DomainTheme::kMeshes,
@@ -173,6 +174,7 @@ static Case Soups(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSoupsDomain{
     .number = 83,
+    .bits = 0xcdf398c147a47290,
     .name = "soups",
     .summary = "faces twice, crossing, of both windings, their vertices shared or repeated",
     .theme = DomainTheme::kMeshes,
@@ -198,6 +200,7 @@ static Case CoplanarDepths(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kCoplanarDepthsDomain{
     .number = 84,
+    .bits = 0x369a7d4c50f53811,
     .name = "coplanar-depths",
     .summary = "layers of one plane or an ulp off it, their z in [0, 1] and far outside",
     .theme = DomainTheme::kCalls,

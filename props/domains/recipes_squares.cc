@@ -100,6 +100,7 @@ static Case SquareGridLines(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSquareGridLinesDomain{
     .number = 56,
+    .bits = 0xb56d2a924af36037,
     .name = "square-grid-lines",
     .summary = "corners and edges on the sides of pixels, an ulp, a subpixel, a band beside",
     .theme = DomainTheme::kPixelSides,
@@ -127,6 +128,7 @@ static Case SquareCrossings(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSquareCrossingsDomain{
     .number = 57,
+    .bits = 0x28c4ff9079ed50a5,
     .name = "square-crossings",
     .summary = "edges through the corners of pixels, or an ulp beside",
     .theme = DomainTheme::kPixelSides,
@@ -160,6 +162,7 @@ static Case SquareInteriors(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSquareInteriorsDomain{
     .number = 58,
+    .bits = 0xe7ac4a70d01393ff,
     .name = "square-interiors",
     .summary = "triangles inside one pixel, thin ones, and thin ones that leave it",
     .theme = DomainTheme::kPixelSides,

@@ -129,6 +129,7 @@ static Case FineMeshes(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFineMeshesDomain{
     .number = 92,
+    .bits = 0x1a64e26cf8bc1459,
     .name = "fine-meshes",
     .summary = "grids of 1/8 to 1/2 pixel on sixteenths: each pixel many triangles",
     .theme = DomainTheme::kMeshes,
@@ -148,6 +149,7 @@ static Case Triangulations(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTriangulationsDomain{
     .number = 33,
+    .bits = 0x12a312b80d8dd965,
     .name = "triangulations",
     .summary = "samples, midpoints and places beside them inserted one by one",
     .theme = DomainTheme::kMeshes,
@@ -165,6 +167,7 @@ static Case CoveringFans(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kCoveringFansDomain{
     .number = 34,
+    .bits = 0xc8f525f5c7780bdc,
     .name = "covering-fans",
     .summary = "a hub on the target, the rim up to the end of the stated range",
     .theme = DomainTheme::kMeshes,
@@ -185,6 +188,7 @@ static Case Subdivisions(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kSubdivisionsDomain{
     .number = 35,
+    .bits = 0xa427f0df502f79dc,
     .name = "subdivisions",
     .summary = "edges halved again and again, on both sides",
     .theme = DomainTheme::kMeshes,
@@ -214,6 +218,7 @@ static Case TJunctions(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTJunctionsDomain{
     .number = 36,
+    .bits = 0x9c6b96ddf18cd688,
     .name = "t-junctions",
     .summary = "edges halved on one side only: the oracle's count is expected, not 1",
     .theme = DomainTheme::kMeshes,

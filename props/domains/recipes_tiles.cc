@@ -122,6 +122,7 @@ static Case TileBorders(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTileBordersDomain{
     .number = 76,
+    .bits = 0x68ed867fed5683a4,
     .name = "tile-borders",
     .summary = "edges on multiples of 4 to 64 pixels and beside, boxes a pixel thick",
     .theme = DomainTheme::kCalls,
@@ -147,6 +148,7 @@ static Case FarTileCorners(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kFarTileCornersDomain{
     .number = 87,
+    .bits = 0x1b676092fe08e0ae,
     .name = "far-tile-corners",
     .summary = "edges from far off that pass the corner of a tile as near as can be",
     .theme = DomainTheme::kCalls,

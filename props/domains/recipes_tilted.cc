@@ -70,6 +70,7 @@ static Case TiltedGrids(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTiltedGridsDomain{
     .number = 101,
+    .bits = 0xdd1e1a31db590f8d,
     .listed = 702,
     .name = "tilted-grids",
     .summary = "grids turned by Pythagorean angles, exactly or rounded, and by small ones",
@@ -102,6 +103,7 @@ static Case DiagonalNeedles(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kDiagonalNeedlesDomain{
     .number = 75,
+    .bits = 0x861ed94f01c9779,
     .name = "diagonal-needles",
     .summary = "needles a step wide along the diagonals of samples",
     .theme = DomainTheme::kThin,

@@ -223,6 +223,7 @@ static Case TurnedBySnap(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kTurnedBySnapDomain{
     .number = 89,
+    .bits = 0x9e56e5bf5d724cf9,
     .name = "turned-by-snap",
     .summary = "triangles that the snap turns over, and that cover a sample once it has",
     .theme = DomainTheme::kSnapping,

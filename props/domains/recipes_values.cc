@@ -64,6 +64,7 @@ Case ClipSlivers(BitSource& bits, const SubjectInfo& info) {
 
 extern constinit const Domain kWRatiosDomain{
     .number = 104,
+    .bits = 0x3864d20a1c832489,
     .name = "w-ratios",
     .summary = "clip space in front of the eye, the largest w up to 2^60 times the smallest",
     .theme = DomainTheme::kClip,
@@ -72,6 +73,7 @@ extern constinit const Domain kWRatiosDomain{
 
 extern constinit const Domain kClipSliversDomain{
     .number = 105,
+    .bits = 0xda432442477f27d7,
     .name = "clip-slivers",
     .summary = "clip space, slivers 1 to 2^-12 of a pixel thick around a sample, w of 1/64 to 64",
     .theme = DomainTheme::kClip,

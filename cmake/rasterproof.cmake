@@ -176,6 +176,51 @@ function(rasterproof_library name)
   endif()
 endfunction()
 
+# What registers itself is a row in a file of its own folder, as "extern constinit const Property
+# kItsName{", which nobody else names: the build makes the list of the rows.
+
+# rows_of(OUT Type source ...): the names of the rows of these files, sorted.
+function(rows_of out type)
+  set(all)
+  foreach(source ${ARGN})
+    file(STRINGS ${source} rows REGEX "^extern constinit const ${type} k")
+    if(NOT rows)
+      message(FATAL_ERROR "${CMAKE_CURRENT_SOURCE_DIR}/${source} has no row: begin one with "
+        "'extern constinit const ${type} kItsName{'")
+    endif()
+    list(TRANSFORM rows REPLACE "^.* (k[A-Za-z0-9]+).*$" "\\1")
+    list(APPEND all ${rows})
+  endforeach()
+  list(SORT all)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${ARGN})
+  set(${out} ${all} PARENT_SCOPE)
+endfunction()
+
+# write_rows(FILE.cc Type header name row ...): kAllNAME and kNumberOfNAME, of these rows, in the
+# namespace of the header's folder.
+function(write_rows file type header name)
+  string(REGEX REPLACE "/.*" "" space ${header})
+  list(JOIN ARGN ", " declared)
+  list(JOIN ARGN ",\n    &" listed)
+  file(CONFIGURE OUTPUT ${file} CONTENT [[#include <cstddef>
+#include <iterator>
+
+#include "@header@"
+
+namespace rasterproof::@space@ {
+
+extern const @type@ @declared@;
+
+extern const @type@* const kAll@name@[];
+extern const std::size_t kNumberOf@name@;
+const @type@* const kAll@name@[] = {
+    &@listed@};
+const std::size_t kNumberOf@name@ = std::size(kAll@name@);
+
+}  // namespace rasterproof::@space@
+]] @ONLY)
+endfunction()
+
 # rasterproof_optimised(OUT TARGET ...): the libraries that the targets link, optimised in full. Not
 # the exact one and its rivals: of their files some are for newer processors alone.
 function(rasterproof_optimised out)

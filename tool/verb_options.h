@@ -1,4 +1,4 @@
-// What verbs' options share. Seen by the three files that parse, and by none else: CLI11 costs
+// What verbs' options share. Seen by the verbs' files NAME_verb.cc, and by none else: CLI11 costs
 // about ten seconds a file.
 #ifndef RASTERPROOF_TOOL_VERB_OPTIONS_H_
 #define RASTERPROOF_TOOL_VERB_OPTIONS_H_
@@ -8,25 +8,34 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "CLI/CLI.hpp"
+#include "core/authority.h"
 #include "props/run/campaign_options.h"
 #include "subjects/process/groups.h"
+#include "tool/case_choice.h"
 #include "tool/interrupt.h"
+#include "tool/scene_source.h"
+#include "tool/verb.h"
 
 namespace rasterproof::tool {
-
-/// Runs the command after its options are parsed.
-using Run = std::function<int()>;
 
 /// A number above 0.
 CLI::Validator Positive();
 
-/// Adds --plugin and --exec, two more ways to name subjects, and what those may cost.
-void AddOutside(CLI::App* app, const std::function<void(const std::string&)>& add);
+/// Adds an option of a number from 1 to `most`.
+void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
+              const std::function<void(int)>& take, int usual);
 
-/// Adds --subject, --plugin and --exec.
+/// Adds --jobs, for as many of `what` at once.
+void AddJobs(CLI::App* app, int& jobs, const std::string& what);
+
+/// Adds --subject, --plugin and --exec, and what the last two may cost.
 void AddSubject(CLI::App* app, std::string& subject, const std::string& help = "Subject");
+
+/// The same for several subjects; without one it is `own`, which the verb sees to.
+void AddSubjects(CLI::App* app, std::vector<std::string>& subjects, const std::string& own);
 
 /// Adds --seed.
 void AddSeed(CLI::App* app, std::uint64_t& seed, const std::string& of = "generators");
@@ -41,15 +50,20 @@ void AddCampaign(CLI::App* app, props::CampaignOptions& campaign,
 /// Adds --list-length.
 void AddListLength(CLI::App* app, std::size_t& length);
 
-/// Adds an option of a number from 1 to `most`.
-void AddCount(CLI::App* app, const std::string& option, const std::string& help, int most,
-              const std::function<void(int)>& take, int usual);
+/// Adds --fail-on.
+void AddFailOn(CLI::App* app, FailOn& fail_on);
 
-/// Adds --jobs, for as many of `what` at once.
-void AddJobs(CLI::App* app, int& jobs, const std::string& what);
+/// Adds a scene, and how a mesh is seen.
+void AddScene(CLI::App* app, SceneOptions& scene);
 
 inline constexpr std::string_view kCaseHelp =
     "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
+
+/// Adds a case, and what it is judged with and by.
+void AddCase(CLI::App* app, CaseChoice& choice);
+
+/// Adds --as.
+CLI::Option* AddAs(CLI::App* app, std::string& as);
 
 /// Runs a verb that prints its results so far when interrupted. Other verbs end at once,
 /// as programs do.
@@ -59,27 +73,6 @@ int UntilInterrupted(int (*verb)(const Options&), const Options& options) {
   const int status = verb(options);
   return Interrupted() ? InterruptStatus() : status;
 }
-
-/// Adds check, whose subject is `own` unless one is named.
-void AddCheck(CLI::App& app, Run& run, const std::string& own);
-
-/// Adds compare, whose subject is `own` unless one is named.
-void AddCompare(CLI::App& app, Run& run, const std::string& own);
-
-/// Adds certify, whose subject is `own` unless one is named.
-void AddCertify(CLI::App& app, Run& run, const std::string& own);
-
-/// Adds pipe answer.
-void AddPipeVerb(CLI::App& app, Run& run);
-
-/// Adds vectors generate and verify.
-void AddVectorsVerb(CLI::App& app, Run& run);
-
-/// Adds widths.
-void AddWidthsVerb(CLI::App& app, Run& run);
-
-/// Adds the verbs that take one scene: coverage, legal, plan.
-void AddSceneVerbs(CLI::App& app, Run& run);
 
 }  // namespace rasterproof::tool
 

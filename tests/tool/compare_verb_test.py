@@ -1,6 +1,6 @@
 """compare: a table of families, saved cases that fail again, its exit status.
 
-usage: compare_test.py PROGRAM SOURCES
+usage: compare_verb_test.py PROGRAM SOURCES
 """
 import glob
 import html

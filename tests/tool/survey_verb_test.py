@@ -1,6 +1,6 @@
 """The verb survey: the nearest model, what is found beside it, and its cases replayed.
 
-usage: survey_test.py PROGRAM SOURCES
+usage: survey_verb_test.py PROGRAM SOURCES
 """
 import json
 import os

@@ -1,6 +1,4 @@
 // rasterproof doctor: whether this machine and this build can be trusted to judge.
-#include "tool/doctor/cmd_doctor.h"
-
 #include <string>
 
 #include "exact/edge.h"
@@ -9,8 +7,10 @@
 #include "io/output.h"
 #include "lab/sweep/sweep_builds.h"
 #include "tool/exit_status.h"
+#include "tool/verb_options.h"
 
 namespace rasterproof::tool {
+namespace {
 
 int RunDoctor() {
   const exact::Environment environment = exact::InspectEnvironment();
@@ -43,5 +43,13 @@ int RunDoctor() {
   if (!environment.Honest()) return kExitUsage;
   return agree ? kExitHolds : kExitFault;
 }
+
+Run AddDoctor(CLI::App* /*verb*/, const Invocation& /*call*/) { return RunDoctor; }
+
+}  // namespace
+
+extern constinit const Verb kDoctorVerb{"doctor", VerbGroup::kDevelopment, 40,
+                                        "Check that this machine and build can be trusted to judge",
+                                        AddDoctor};
 
 }  // namespace rasterproof::tool

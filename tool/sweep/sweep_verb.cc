@@ -1,7 +1,5 @@
 // rasterproof sweep: which builds of a rasterizer draw other samples, and by which flags, file and
 // function.
-#include "tool/sweep/cmd_sweep.h"
-
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
@@ -29,10 +27,24 @@
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/shared_files.h"
+#include "tool/verb_options.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
+
+// Builds of a rasterizer by several compilers and flags.
+struct SweepOptions {
+  std::vector<std::string> sources;
+  std::string cflags;               ///< words of a shell, for every build
+  std::vector<std::string> builds;  ///< builds to compare with the base; empty: the usual list
+  std::string profile;
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 200;
+  double seconds = 30;  ///< of one compilation, or of one answer
+  std::string json;     ///< file; empty: none
+  int jobs = 1;         ///< builds at once
+};
 
 std::string Driver() {
   std::optional<std::string> driver = FindShared("kit/plugin_driver.c");
@@ -59,8 +71,6 @@ lab::SweepWork WorkOf(int jobs, Progress& progress) {
               },
           .stop = Interrupted};
 }
-
-}  // namespace
 
 int RunSweep(const SweepOptions& options) {
   RequireHonestEnvironment();
@@ -89,5 +99,37 @@ int RunSweep(const SweepOptions& options) {
   const auto fails = [](const std::vector<Cell>& cells) { return cells.front().Fails(); };
   return std::ranges::any_of(table.subjects.front().cells, fails) ? kExitViolated : kExitHolds;
 }
+
+Run AddSweep(CLI::App* verb, const Invocation& /*call*/) {
+  static SweepOptions options;
+  verb->add_option("sources", options.sources,
+                   "C or C++ sources of a plugin (kit/rasterproof_plugin.h)")
+      ->required();
+  verb->add_option("--cflags", options.cflags,
+                   "Flags for every build, in shell syntax: -I, -D, -std, libraries");
+  verb->add_option("--build", options.builds,
+                   "Compare only this build with the base: \"clang -O3\", \"i386\", \"aarch64 "
+                   "-ffp-contract=fast\" (repeatable; default: about 40)")
+      ->allow_extra_args(false);
+  verb->add_option("--profile", options.profile, "Draw cases for this profile, not for its own");
+  AddSeed(verb, options.seed);
+  verb->add_option("--cases", options.cases, "Cases that every build draws")
+      ->check(CLI::Range(1, 100'000))
+      ->capture_default_str();
+  verb->add_option("--time-limit", options.seconds,
+                   "Time limit in seconds for a compilation or an answer")
+      ->check(Positive())
+      ->capture_default_str();
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  AddJobs(verb, options.jobs, "Builds");
+  return [] { return UntilInterrupted(RunSweep, options); };
+}
+
+}  // namespace
+
+extern constinit const Verb kSweepVerb{
+    "sweep", VerbGroup::kCampaign, 50,
+    "Find the builds (compilers, flags, targets) that change what your rasterizer covers",
+    AddSweep};
 
 }  // namespace rasterproof::tool

@@ -1,6 +1,4 @@
 // rasterproof survey: which model comes nearest to a subject, and what each domain shows beside it.
-#include "tool/survey/cmd_survey.h"
-
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -19,6 +17,7 @@
 #include "props/compare/survey.h"
 #include "props/infer/infer.h"
 #include "props/infer/stated_keys.h"
+#include "props/run/campaign_options.h"
 #include "report/comparison.h"
 #include "tool/compare/comparison.h"
 #include "tool/environment.h"
@@ -26,10 +25,20 @@
 #include "tool/interrupt.h"
 #include "tool/progress.h"
 #include "tool/resolve.h"
+#include "tool/verb_options.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
+
+struct SurveyOptions {
+  std::string subject = "spans-exact";
+  std::string profile;  ///< used instead of the subject's own
+  props::CampaignOptions campaign{.cases = 2000};
+  std::string json;  ///< file; empty: none
+  std::string save;  ///< folder for the worst case of each cell that fails
+  int jobs = 1;      ///< domains at once
+};
 
 // What the drawings are compared with, and how near it comes to the experiments that led to it.
 struct SurveyModel {
@@ -113,8 +122,6 @@ std::vector<std::vector<Cell>> SurveyAll(Crew& crew, const SurveyOptions& option
   return cells;
 }
 
-}  // namespace
-
 int RunSurvey(const SurveyOptions& options) {
   RequireHonestEnvironment();
   if (!options.save.empty()) io::RequireFolderCanBe(options.save);
@@ -137,5 +144,24 @@ int RunSurvey(const SurveyOptions& options) {
   const auto has_ended = [](const std::vector<Cell>& row) { return row.front().ended != 0; };
   return std::ranges::any_of(table.subjects.back().cells, has_ended) ? kExitViolated : kExitHolds;
 }
+
+Run AddSurvey(CLI::App* verb, const Invocation& call) {
+  static SurveyOptions options;
+  options.subject = call.own;
+  AddSubject(verb, options.subject);
+  verb->add_option("--profile", options.profile,
+                   "Draw cases for this profile, not for the subject's own");
+  AddCampaign(verb, options.campaign, "domain");
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  verb->add_option("--save", options.save, "Folder for the worst case of each cell that fails");
+  AddJobs(verb, options.jobs, "Domains");
+  return [] { return UntilInterrupted(RunSurvey, options); };
+}
+
+}  // namespace
+
+extern constinit const Verb kSurveyVerb{
+    "survey", VerbGroup::kCampaign, 20,
+    "Count how a subject differs from its nearest model, without a verdict", AddSurvey};
 
 }  // namespace rasterproof::tool

@@ -1,6 +1,5 @@
 // rasterproof climb: the case in which a result is as wrong as a search can make it.
-#include "tool/climb/cmd_climb.h"
-
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -22,10 +21,20 @@
 #include "tool/resolve.h"
 #include "tool/resolve_case.h"
 #include "tool/shared_files.h"
+#include "tool/verb_options.h"
 
 namespace rasterproof::tool {
-
 namespace {
+
+// A search for the largest error over its bound.
+struct ClimbOptions {
+  std::string subject = "f32-direct";
+  std::string property = "EdgeErrorStaysWithinItsBound";
+  std::uint64_t seed = 1;
+  std::uint64_t evaluations = 20'000;
+  std::string from;    ///< a case file to start from as well; empty: only drawn cases
+  std::string output;  ///< file; empty: none
+};
 
 std::optional<Case> CaseToSetOutFrom(const std::string& path, const Subject& subject) {
   if (path.empty()) return std::nullopt;
@@ -36,8 +45,6 @@ std::optional<Case> CaseToSetOutFrom(const std::string& path, const Subject& sub
   }
   return from;
 }
-
-}  // namespace
 
 int RunClimb(const ClimbOptions& options) {
   RequireHonestEnvironment();
@@ -76,5 +83,24 @@ int RunClimb(const ClimbOptions& options) {
                                     options.seed, found.best->origin, SceneLine(*found.best))));
   return is_violated ? kExitViolated : kExitHolds;
 }
+
+Run AddClimb(CLI::App* verb, const Invocation& /*call*/) {
+  static ClimbOptions options;
+  AddSubject(verb, options.subject);
+  verb->add_option("--property", options.property, "Property with a bound")->capture_default_str();
+  AddSeed(verb, options.seed, "search");
+  verb->add_option("--evaluations", options.evaluations, "Cases to judge")
+      ->check(Positive())
+      ->capture_default_str();
+  verb->add_option("--from", options.from, "Case file to start from, besides generated cases");
+  verb->add_option("-o,--output", options.output, "Case file (- for standard output)");
+  return [] { return UntilInterrupted(RunClimb, options); };
+}
+
+}  // namespace
+
+extern constinit const Verb kClimbVerb{"climb", VerbGroup::kCampaign, 40,
+                                       "Search for the case with the largest error over its bound",
+                                       AddClimb};
 
 }  // namespace rasterproof::tool

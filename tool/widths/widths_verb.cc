@@ -1,6 +1,4 @@
 // rasterproof widths: how many bits the values of an integer edge function take.
-#include "tool/widths/cmd_widths.h"
-
 #include <charconv>
 #include <filesystem>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "core/error.h"
 #include "core/quoted.h"
 #include "core/sample_pattern.h"
+#include "core/scene.h"
 #include "core/snap.h"
 #include "core/target_size.h"
 #include "exact/edge_widths.h"
@@ -22,9 +21,21 @@
 #include "io/output.h"
 #include "lab/widths/widths.h"
 #include "tool/exit_status.h"
+#include "tool/verb_options.h"
 
 namespace rasterproof::tool {
 namespace {
+
+// How many bits the values of an integer edge function take.
+struct WidthsOptions {
+  std::string fixed;  ///< "12.4"
+  bool is_signed = true;
+  std::string target;                  ///< "4096x4096"
+  std::string samples = "standard-1";  ///< or a list, as the profile key sample_locations
+  int tile = 8;
+  std::string json;  ///< file; empty: none
+  std::string save;  ///< folder for the inputs as cases; empty: none
+};
 
 // Two numbers of digits alone with the mark between them, as 12.4 and 640x480.
 std::optional<std::pair<int, int>> TwoNumbers(std::string_view text, char mark) {
@@ -87,8 +98,6 @@ void SaveWitnesses(const std::string& folder, const exact::EdgeUnit& unit,
   }
 }
 
-}  // namespace
-
 int RunWidths(const WidthsOptions& options) {
   const exact::EdgeUnit unit = UnitOf(options);
   const std::vector<exact::EdgeWidth> widths = exact::EdgeWidths(unit);
@@ -102,5 +111,34 @@ int RunWidths(const WidthsOptions& options) {
   if (options.json != "-") io::WriteStandardOutput(lab::WidthsTable(unit, widths));
   return kExitHolds;
 }
+
+Run AddWidths(CLI::App* verb, const Invocation& /*call*/) {
+  static WidthsOptions options;
+  verb->add_option("--fixed", options.fixed,
+                   "Bits of a coordinate before and after the point: 12.4; with --signed the first "
+                   "is the sign")
+      ->required();
+  verb->add_flag("--signed,!--unsigned", options.is_signed, "Coordinates have a sign (default)");
+  verb->add_option("--target", options.target, "Width and height of the largest target: 4096x4096")
+      ->required();
+  verb->add_option("--samples", options.samples,
+                   "Sample locations: standard-1, -2, -4, -8, -16, or a list as in the profile key "
+                   "sample_locations: '[[0, 0], [0.5, 0.5]]'")
+      ->capture_default_str();
+  verb->add_option("--tile", options.tile, "Side of a tile in pixels; also the larger step")
+      ->check(CLI::Range(1, kMaxTargetSide))
+      ->capture_default_str();
+  verb->add_option("--json", options.json, "Result as JSON (- for standard output)");
+  verb->add_option("--save", options.save,
+                   "Folder for one case per value: the input that needs its last bit");
+  return [] { return RunWidths(options); };
+}
+
+}  // namespace
+
+extern constinit const Verb kWidthsVerb{
+    "widths", VerbGroup::kDevelopment, 30,
+    "Fewest bits for every value of an integer edge function, with inputs that need them",
+    AddWidths};
 
 }  // namespace rasterproof::tool

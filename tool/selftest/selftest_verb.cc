@@ -1,6 +1,4 @@
 // rasterproof selftest: do the properties find planted bugs, and let legal variants pass?
-#include "tool/selftest/cmd_selftest.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -19,10 +17,20 @@
 #include "tool/environment.h"
 #include "tool/exit_status.h"
 #include "tool/progress.h"
+#include "tool/verb_options.h"
 #include "tool/workers.h"
 
 namespace rasterproof::tool {
 namespace {
+
+struct SelftestOptions {
+  std::vector<std::string> only;  ///< names; empty: every mutant and legal variant
+  std::uint64_t seed = 1;
+  std::uint64_t cases = 1000;  ///< most cases a property
+  std::string json;
+  int jobs = 1;         ///< mutants and variants at once
+  bool causes = false;  ///< also explain each mutant's violation
+};
 
 using Clock = std::chrono::steady_clock;
 
@@ -69,8 +77,6 @@ int SelftestCauses(std::vector<subjects::MutantInfo> mutants, const SelftestOpti
   return kExitHolds;
 }
 
-}  // namespace
-
 int RunSelftest(const SelftestOptions& options) {
   RequireHonestEnvironment();
   const std::vector<subjects::MutantInfo> chosen = Chosen(options.only);
@@ -85,5 +91,26 @@ int RunSelftest(const SelftestOptions& options) {
   if (!options.json.empty()) io::WriteFile(options.json, lab::SelftestJson(results));
   return std::ranges::all_of(results, &lab::HuntResult::AsItShould) ? kExitHolds : kExitViolated;
 }
+
+Run AddSelftest(CLI::App* verb, const Invocation& /*call*/) {
+  static SelftestOptions options;
+  AddSeed(verb, options.seed, "generators (legal variants take the next two as well)");
+  verb->add_option("--cases", options.cases,
+                   "Maximum cases per property; legal variants get a tenth")
+      ->check(Positive())
+      ->capture_default_str();
+  verb->add_option("--only", options.only, "Mutants and legal variants (default: all)");
+  verb->add_option("--json", options.json, "Result as JSON");
+  verb->add_flag("--causes", options.causes,
+                 "Explain each mutant's violation and compare with its planted bug");
+  AddJobs(verb, options.jobs, "Mutants or legal variants");
+  return [] { return RunSelftest(options); };
+}
+
+}  // namespace
+
+extern constinit const Verb kSelftestVerb{
+    "selftest", VerbGroup::kDevelopment, 20,
+    "Check that planted bugs are found and legal variants pass", AddSelftest};
 
 }  // namespace rasterproof::tool

@@ -29,7 +29,7 @@ using Run = std::function<int()>;
 struct Verb {
   std::string_view name;
   VerbGroup group;
-  /// --help lists the verbs of a group by this.
+  /// --help lists the verbs of a group by this; in tens, to leave room.
   int place;
   std::string_view summary;  ///< of --help, one sentence
   /// Adds the verb's options; what they are written to lives as long as the program.

@@ -8,8 +8,6 @@
 #include <vector>
 
 #include "core/authority.h"
-#include "report/case_code.h"
-#include "tool/outside.h"
 #include "tool/subject_kinds.h"
 #include "tool/typed_number.h"
 #include "tool/workers.h"
@@ -119,40 +117,6 @@ void AddFailOn(CLI::App* verb, FailOn& fail_on) {
                                                                 {"quality", FailOn::kQuality}})
               .description("{stated,quality}"))
       ->default_str("stated");
-}
-
-void AddScene(CLI::App* app, SceneOptions& scene) {
-  app->add_option("scene", scene.path,
-                  "Scene file (JSON; - for standard input) or mesh (obj, ply, off, stl, gltf, glb)")
-      ->required();
-  app->add_option("--camera", scene.camera,
-                  "For meshes: front, inside, or \"eye=X,Y,Z target=X,Y,Z up=X,Y,Z fov=DEGREES\"");
-  app->add_option("--project", scene.project, "For meshes: window, clip or auto")
-      ->check(CLI::IsMember({"window", "clip", "auto"}))
-      ->capture_default_str();
-  app->add_option("--width", scene.width, "For meshes: width of the target")->capture_default_str();
-  app->add_option("--height", scene.height, "For meshes: height of the target")
-      ->capture_default_str();
-}
-
-void AddCase(CLI::App* app, CaseChoice& choice) {
-  app->add_option("case", choice.path,
-                  "Case file, scene file, inline JSON or fuzz input (- for standard input)");
-  AddSubject(app, choice.subject, "Subject (default: the file's)");
-  app->add_option("--property", choice.property, "Property (default: the file's)");
-  app->add_option("--profile", choice.profile,
-                  "Judge by this profile (default: the file's, or the subject's own)");
-  app->add_option("--case", choice.name, std::string(kCaseHelp));
-  app->add_flag("--fuzz-input", choice.is_fuzz_input,
-                "Read the file as a fuzz input even if it looks like text");
-  AddListLength(app, choice.list_length);
-}
-
-CLI::Option* AddAs(CLI::App* verb, std::string& as) {
-  const std::vector<std::string> languages(report::kCodeLanguages.begin(),
-                                           report::kCodeLanguages.end());
-  return verb->add_option("--as", as, "Print the case as code for a test, below the verdict")
-      ->check(CLI::IsMember(languages));
 }
 
 }  // namespace rasterproof::tool

@@ -14,9 +14,7 @@
 #include "core/authority.h"
 #include "props/run/campaign_options.h"
 #include "subjects/process/groups.h"
-#include "tool/case_choice.h"
 #include "tool/interrupt.h"
-#include "tool/scene_source.h"
 #include "tool/verb.h"
 
 namespace rasterproof::tool {
@@ -53,17 +51,8 @@ void AddListLength(CLI::App* app, std::size_t& length);
 /// Adds --fail-on.
 void AddFailOn(CLI::App* app, FailOn& fail_on);
 
-/// Adds a scene, and how a mesh is seen.
-void AddScene(CLI::App* app, SceneOptions& scene);
-
 inline constexpr std::string_view kCaseHelp =
     "Drawn case, by its name DOMAIN:INDEX@SEED (near-edge:17@1)";
-
-/// Adds a case, and what it is judged with and by.
-void AddCase(CLI::App* app, CaseChoice& choice);
-
-/// Adds --as.
-CLI::Option* AddAs(CLI::App* app, std::string& as);
 
 /// Runs a verb that prints its results so far when interrupted. Other verbs end at once,
 /// as programs do.

@@ -1,4 +1,5 @@
 // rasterproof convert: its options.
+#include "tool/case/case_options.h"
 #include "tool/case/cmd_case.h"
 #include "tool/verb_options.h"
 

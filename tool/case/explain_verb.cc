@@ -1,6 +1,7 @@
 // rasterproof explain: its options.
 #include <vector>
 
+#include "tool/case/case_options.h"
 #include "tool/case/cmd_case.h"
 #include "tool/verb_options.h"
 

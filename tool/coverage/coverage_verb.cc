@@ -1,5 +1,6 @@
 // rasterproof coverage: its options.
 #include "tool/coverage/cmd_coverage.h"
+#include "tool/scene_options.h"
 #include "tool/verb_options.h"
 
 namespace rasterproof::tool {

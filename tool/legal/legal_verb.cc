@@ -2,6 +2,7 @@
 #include <initializer_list>
 
 #include "tool/legal/cmd_legal.h"
+#include "tool/scene_options.h"
 #include "tool/verb_options.h"
 
 namespace rasterproof::tool {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "tool/plan/cmd_plan.h"
+#include "tool/scene_options.h"
 #include "tool/verb_options.h"
 
 namespace rasterproof::tool {

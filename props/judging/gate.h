@@ -131,8 +131,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 judged as it is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c);
 
-/// Returns the conditions of DoesNotApply and Refusal in words, and `where`, as
-/// docs/mathematics.md and `rasterproof list` print them.
+/// Returns the conditions of DoesNotApply and Refusal in words, and `where`, as `rasterproof list`
+/// prints them.
 std::string WordsOf(const Gate& gate);
 
 /// The case's drawing options without culling and scissor.

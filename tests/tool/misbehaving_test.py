@@ -21,6 +21,7 @@ PYTHON = f"{sys.executable} -I -S"  # starts in a tenth of the limit
 DEGENERATE = "DegenerateTrianglesCoverNothing"
 # Of a subject's own time; a hang is given ten times that.
 LIMIT = ("--time-limit", "0.3")
+CHECK = ("check", "--no-cause")  # explaining takes longer than finding: causes_test.py has it
 ENOUGH = 900  # seconds; a test that waits for so long has failed
 TOKEN = "RASTERPROOF_TEST_TOKEN"
 
@@ -76,7 +77,7 @@ class Run:
 
 class Misbehaving(unittest.TestCase):
     def start(self, what, *more, **options):
-        run = Run([PROGRAM, "check", "--exec", f"{PYTHON} {SUBJECT} {what}", *LIMIT,
+        run = Run([PROGRAM, *CHECK, "--exec", f"{PYTHON} {SUBJECT} {what}", *LIMIT,
                    "--property", DEGENERATE, "--cases", "8", *more], **options)  # fmt: skip
         self.addCleanup(run.process.kill)
         self.addCleanup(run.kill_left)
@@ -113,7 +114,7 @@ class Misbehaving(unittest.TestCase):
 
     def test_an_edge_value_that_hangs_among_quick_ones_is_reported_as_such(self):
         # Those before it are kept back while it is worked on.
-        run = Run([PROGRAM, "check", "--plugin", os.path.join(PLUGINS, "shown_EDGES_HANGS.so"),
+        run = Run([PROGRAM, *CHECK, "--plugin", os.path.join(PLUGINS, "shown_EDGES_HANGS.so"),
                    *LIMIT, "--property", "EdgeErrorStaysWithinItsBound",
                    "--cases", "64"])  # fmt: skip
         status, text = run.end()
@@ -122,7 +123,7 @@ class Misbehaving(unittest.TestCase):
 
     def test_a_line_without_an_end_is_reported_as_such(self):
         self.expect("floods-a-line", 1, "the most that a correct answer")
-        run = Run([PROGRAM, "check", "--exec", "cat /dev/zero", "--property", DEGENERATE,
+        run = Run([PROGRAM, *CHECK, "--exec", "cat /dev/zero", "--property", DEGENERATE,
                    "--cases", "8", "--memory-limit", "0"],
                   preexec_fn=lambda: limit_memory(1 << 30))  # fmt: skip
         status, text = run.end()
@@ -190,8 +191,8 @@ class OnACall(unittest.TestCase):
             described = os.path.join(folder, "mine.subject")
             with open(described, "w", encoding="utf-8") as file:
                 file.write(f"command {PYTHON} {SUBJECT} {what}\ntakes {takes}\n")
-            run = Run([PROGRAM, "check", "--subject", described, *LIMIT, "--property", DEGENERATE,
-                       "--cases", "120", "--no-cause", "--jobs", "1", *more])  # fmt: skip
+            run = Run([PROGRAM, *CHECK, "--subject", described, *LIMIT, "--property", DEGENERATE,
+                       "--cases", "120", "--jobs", "1", *more])  # fmt: skip
             self.addCleanup(run.kill_left)
             status, text = run.end()
         self.assertEqual(run.left(), [], text)
@@ -260,7 +261,7 @@ class Ending(unittest.TestCase):
     """The command ends while its subject hangs."""
 
     def start(self, what="spins-with-children", limit="1000", **options):
-        run = Run([PROGRAM, "check", "--exec", f"{PYTHON} {SUBJECT} {what}",
+        run = Run([PROGRAM, *CHECK, "--exec", f"{PYTHON} {SUBJECT} {what}",
                    "--property", DEGENERATE, "--cases", "8", "--time-limit", limit],
                   **options)  # fmt: skip
         self.addCleanup(run.process.kill)
@@ -302,7 +303,7 @@ class Ending(unittest.TestCase):
 
     def test_a_hung_plugin_goes_with_the_command(self):
         for number in (signal.SIGTERM, signal.SIGKILL):
-            run = Run([PROGRAM, "check", "--plugin", f"{PLUGINS}/buggy_HANG.so", "--property",
+            run = Run([PROGRAM, *CHECK, "--plugin", f"{PLUGINS}/buggy_HANG.so", "--property",
                        DEGENERATE, "--cases", "30", "--time-limit", "1000"])  # fmt: skip
             run.wait_for("it hangs")
             run.process.send_signal(number)
@@ -339,8 +340,8 @@ class DoesNotRun(unittest.TestCase):
             path = os.path.join(folder, "ends.py")
             with open(path, "w", encoding="utf-8") as file:
                 file.write(program)
-            return subprocess.run([PROGRAM, "check", "--exec", f"{PYTHON} {path}", "--cases", "3",
-                                   "--no-cause", *more],
+            return subprocess.run([PROGRAM, *CHECK, "--exec", f"{PYTHON} {path}", "--cases", "3",
+                                   *more],
                                   capture_output=True, timeout=ENOUGH, check=False)  # fmt: skip
 
     def test_a_program_that_does_not_run_is_reported_once_with_its_last_words(self):
@@ -375,7 +376,7 @@ class Start(unittest.TestCase):
     """What the command was started with is no matter of the subject's."""
 
     def check(self, what, status, words, **options):
-        run = Run([PROGRAM, "check", "--exec", f"{PYTHON} {SUBJECT} {what}", *LIMIT,
+        run = Run([PROGRAM, *CHECK, "--exec", f"{PYTHON} {SUBJECT} {what}", *LIMIT,
                    "--property", DEGENERATE, "--cases", "8"], **options)  # fmt: skip
         got, text = run.end()
         self.assertEqual(got, status, text)
@@ -417,7 +418,7 @@ class Start(unittest.TestCase):
 
     def test_a_full_standard_error_ends_nothing(self):
         with open("/dev/full", "wb") as full:
-            run = Run([PROGRAM, "check", "--property", DEGENERATE, "--cases", "1", "--seed",
+            run = Run([PROGRAM, *CHECK, "--property", DEGENERATE, "--cases", "1", "--seed",
                        "random"], stderr=full)  # fmt: skip
             status, text = run.end()
         # 4: the one case drawn at random may have no degenerate triangle; still a verdict.

@@ -26,6 +26,10 @@ if(RASTERPROOF_TESTS)
 endif()
 
 set(CMAKE_CXX_FLAGS_RELEASE "-O2 -DNDEBUG")
+# What sanitizers insert takes longer to be optimised than it saves the tests.
+if(RASTERPROOF_LUMPS AND RASTERPROOF_SANITIZE)
+  set(CMAKE_CXX_FLAGS_RELEASE "-O1 -DNDEBUG")
+endif()
 set(CMAKE_C_FLAGS_RELEASE "-O2 -DNDEBUG")
 
 # The code generator of every target. Contraction would change signs; debug information costs build
@@ -46,6 +50,12 @@ if(RASTERPROOF_SANITIZE)
     # Null pointers and objects too small are AddressSanitizer's as well; twice cost a fifth more.
     -fno-sanitize=null,object-size)
   target_link_options(rasterproof_flags INTERFACE -fsanitize=${RASTERPROOF_SANITIZE})
+  # The usual linker takes several times as long for programs of 50 MB.
+  include(CheckLinkerFlag)
+  check_linker_flag(CXX -fuse-ld=lld RASTERPROOF_LLD)
+  if(RASTERPROOF_LLD)
+    target_link_options(rasterproof_flags INTERFACE -fuse-ld=lld)
+  endif()
   # Stacks of functions that have returned are watched always: with a switch at run time, as by
   # default, every function is compiled twice, which takes a tenth longer.
   if(RASTERPROOF_SANITIZE MATCHES "address" AND CMAKE_CXX_COMPILER_ID STREQUAL Clang)
@@ -103,13 +113,21 @@ set(for_shared -fno-semantic-interposition)
 set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional> <limits> <memory>
   <optional> <span> <string> <string_view> <vector>)
 file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
-# What takes long in a test is the libraries' code, and in compiling it what sanitizers insert.
-if(RASTERPROOF_LUMPS AND RASTERPROOF_SANITIZE)
+# What takes long in most tests is the libraries' code, and in compiling them to optimise them, and
+# what sanitizers insert. Some compute themselves. What reads options and writes text takes longer to
+# be optimised than to run.
+set(test_optimisation)
+set(computing_optimisation)
+set(text_optimisation)
+if(RASTERPROOF_LUMPS)
   set(test_optimisation -O0)
-elseif(RASTERPROOF_LUMPS)
-  set(test_optimisation -O1)
-else()
-  set(test_optimisation)
+  if(RASTERPROOF_SANITIZE)
+    set(computing_optimisation -O0)
+    set(text_optimisation -O0)
+  else()
+    set(computing_optimisation -O1)
+    set(text_optimisation -O1)
+  endif()
 endif()
 # A precompiled header is for the options of one target and of those that are compiled like it.
 function(rasterproof_precompile name)
@@ -123,14 +141,17 @@ if(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
   rasterproof_precompile(rasterproof_precompiled)
 endif()
 if(RASTERPROOF_LUMPS)
-  rasterproof_precompile(rasterproof_precompiled_text ${test_optimisation})
+  rasterproof_precompile(rasterproof_precompiled_text ${text_optimisation})
 endif()
+function(rasterproof_precompile_tests name)
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
+  target_link_libraries(${name} PRIVATE rasterproof_flags GTest::gtest)
+  target_compile_options(${name} PRIVATE ${ARGN})
+  target_precompile_headers(${name} PRIVATE ${standard_headers} <gtest/gtest.h>)
+endfunction()
 if(RASTERPROOF_TESTS)
-  add_library(rasterproof_precompiled_test OBJECT ${PROJECT_BINARY_DIR}/precompiled.cc)
-  target_link_libraries(rasterproof_precompiled_test PRIVATE rasterproof_flags GTest::gtest)
-  target_compile_options(rasterproof_precompiled_test PRIVATE ${test_optimisation})
-  target_precompile_headers(rasterproof_precompiled_test
-    PRIVATE ${standard_headers} <gtest/gtest.h>)
+  rasterproof_precompile_tests(rasterproof_precompiled_test ${test_optimisation})
+  rasterproof_precompile_tests(rasterproof_precompiled_computing_test ${computing_optimisation})
 endif()
 
 # rasterproof_headers(TARGET SCOPE): where the headers of a target lie, for who links it.
@@ -154,12 +175,12 @@ endif()
 #   [TEXT])
 # makes the static library rasterproof_NAME. LINK is for what its headers include, PRIVATE_LINK for
 # what only its sources do; both name whole targets (rasterproof_core, fmt::fmt). LUMP: files at a
-# time, 10 where it is left out. TEXT: it reads options and writes text, which takes longer to be
+# time, 20 where it is left out. TEXT: it reads options and writes text, which takes longer to be
 # optimised than to be compiled, so that in lumps it is optimised no more than tests.
 function(rasterproof_library name)
   cmake_parse_arguments(ARG "TEXT" "LUMP" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   if(NOT ARG_LUMP)
-    set(ARG_LUMP 10)
+    set(ARG_LUMP 20)
   endif()
   add_library(rasterproof_${name} STATIC ${ARG_SOURCES})
   target_link_libraries(rasterproof_${name}
@@ -169,7 +190,7 @@ function(rasterproof_library name)
   rasterproof_headers(rasterproof_${name} PUBLIC)
   rasterproof_lump(rasterproof_${name} ${ARG_LUMP})
   if(ARG_TEXT AND RASTERPROOF_LUMPS)
-    target_compile_options(rasterproof_${name} PRIVATE ${test_optimisation})
+    target_compile_options(rasterproof_${name} PRIVATE ${text_optimisation})
     target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled_text)
   elseif(RASTERPROOF_SANITIZE OR RASTERPROOF_LUMPS)
     target_precompile_headers(rasterproof_${name} REUSE_FROM rasterproof_precompiled)
@@ -267,22 +288,28 @@ endfunction()
 # A test that takes so long hangs: no limit of a test is one that a loaded machine reaches.
 set(hang_seconds 3600)
 
-# rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [SHARDS n])
+# rasterproof_test(NAME SOURCES a_test.cc ... LINK target ... [LABELS label ...] [SHARDS n]
+#   [COMPUTES])
 # makes one GoogleTest program per folder; ctest runs all its test cases as one ctest test "NAME",
 # or as n of them, "NAME_1" and so on, that share them out. Where sanitizers slow it down it runs a
-# share of its cases: see tests/share.h.
+# share of its cases: see tests/share.h. COMPUTES: its own loops take longer than compiling them.
 function(rasterproof_test name)
-  cmake_parse_arguments(ARG "" "SHARDS" "SOURCES;LINK;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "COMPUTES" "SHARDS" "SOURCES;LINK;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name}
     PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
   rasterproof_large_pages(${name})
   rasterproof_lump(${name} 10)
-  target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_test)
-  target_compile_options(${name} PRIVATE ${test_optimisation})
+  if(ARG_COMPUTES)
+    target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_computing_test)
+    target_compile_options(${name} PRIVATE ${computing_optimisation})
+  else()
+    target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_test)
+    target_compile_options(${name} PRIVATE ${test_optimisation})
+  endif()
   # Of the copies of an inline function the linker keeps the first that it reads. Let that be a
   # library's, or the libraries' loops run what is not optimised: that took 2.5 times as long.
-  if(RASTERPROOF_LUMPS AND RASTERPROOF_SANITIZE)
+  if(RASTERPROOF_LUMPS)
     rasterproof_optimised(libraries ${ARG_LINK})
     list(TRANSFORM libraries REPLACE ".+" "$<TARGET_FILE:\\0>")
     target_link_options(${name} PRIVATE

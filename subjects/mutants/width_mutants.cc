@@ -21,7 +21,7 @@ namespace {
 
 // The base's grid has 8 bits, the input 4 of them.
 constexpr std::int64_t kUnit = 16;
-constexpr std::int64_t kPixel = 16;  // in units
+constexpr std::int64_t kUnitsOfAPixel = 16;  // in units
 constexpr int kBin = 8;
 
 // Wraps n to two's complement of `bits` bits.
@@ -40,7 +40,7 @@ std::int64_t ValueAt(const GridEdge& e, GridPoint p) { return e.At(p) / (kUnit *
 std::int64_t Rise(const GridEdge& e) { return (e.b.y - e.a.y) / kUnit; }
 
 GridPoint Moved(GridPoint p, std::int64_t pixels_x, std::int64_t pixels_y) {
-  return {p.x + pixels_x * kPixel * kUnit, p.y + pixels_y * kPixel * kUnit};
+  return {p.x + pixels_x * kUnitsOfAPixel * kUnit, p.y + pixels_y * kUnitsOfAPixel * kUnit};
 }
 
 FixedStages Of(FixedStages stages) {
@@ -78,8 +78,9 @@ FixedStages ProductsOf(int bits) {
 FixedStages StepsOf(int pixels, int bits) {
   return OnAllOfTheTarget([pixels, bits](const GridEdge& e, const Sample& at) {
     const int single = at.x % pixels;
-    const std::int64_t step = Wrapped(pixels * kPixel * Rise(e), bits);
-    return ValueAt(e, Moved(at.at, -at.x, 0)) + at.x / pixels * step + single * kPixel * Rise(e);
+    const std::int64_t step = Wrapped(pixels * kUnitsOfAPixel * Rise(e), bits);
+    return ValueAt(e, Moved(at.at, -at.x, 0)) + at.x / pixels * step +
+           single * kUnitsOfAPixel * Rise(e);
   });
 }
 
@@ -95,7 +96,7 @@ FixedStages SaturatingRows(int bits) {
   return OnAllOfTheTarget([bits](const GridEdge& e, const Sample& at) {
     const int steps = at.width - 1 - at.x;
     const std::int64_t at_the_end = ValueAt(e, Moved(at.at, steps, 0));
-    return Saturated(at_the_end, bits) - steps * kPixel * Rise(e);
+    return Saturated(at_the_end, bits) - steps * kUnitsOfAPixel * Rise(e);
   });
 }
 

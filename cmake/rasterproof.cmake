@@ -114,8 +114,8 @@ set(standard_headers <algorithm> <array> <cmath> <cstddef> <cstdint> <functional
   <optional> <span> <string> <string_view> <vector>)
 file(WRITE ${PROJECT_BINARY_DIR}/precompiled.cc "")
 # What takes long in most tests is the libraries' code, and in compiling them to optimise them, and
-# what sanitizers insert. Some compute themselves. What reads options and writes text takes longer to
-# be optimised than to run.
+# what sanitizers insert. Some compute themselves. What reads options and writes text takes longer
+# to be optimised than to run.
 set(test_optimisation)
 set(computing_optimisation)
 set(text_optimisation)

@@ -151,7 +151,9 @@ function(rasterproof_precompile_tests name)
 endfunction()
 if(RASTERPROOF_TESTS)
   rasterproof_precompile_tests(rasterproof_precompiled_test ${test_optimisation})
-  rasterproof_precompile_tests(rasterproof_precompiled_computing_test ${computing_optimisation})
+  if(NOT "${computing_optimisation}" STREQUAL "${test_optimisation}")
+    rasterproof_precompile_tests(rasterproof_precompiled_computing_test ${computing_optimisation})
+  endif()
 endif()
 
 # rasterproof_headers(TARGET SCOPE): where the headers of a target lie, for who links it.
@@ -176,7 +178,7 @@ endif()
 # makes the static library rasterproof_NAME. LINK is for what its headers include, PRIVATE_LINK for
 # what only its sources do; both name whole targets (rasterproof_core, fmt::fmt). LUMP: files at a
 # time, 20 where it is left out. TEXT: it reads options and writes text, which takes longer to be
-# optimised than to be compiled, so that in lumps it is optimised no more than tests.
+# optimised than to be compiled, so that in lumps it is optimised less.
 function(rasterproof_library name)
   cmake_parse_arguments(ARG "TEXT" "LUMP" "SOURCES;LINK;PRIVATE_LINK" ${ARGN})
   if(NOT ARG_LUMP)
@@ -300,7 +302,7 @@ function(rasterproof_test name)
     PRIVATE rasterproof_flags ${ARG_LINK} GTest::gtest GTest::gtest_main)
   rasterproof_large_pages(${name})
   rasterproof_lump(${name} 10)
-  if(ARG_COMPUTES)
+  if(ARG_COMPUTES AND TARGET rasterproof_precompiled_computing_test)
     target_precompile_headers(${name} REUSE_FROM rasterproof_precompiled_computing_test)
     target_compile_options(${name} PRIVATE ${computing_optimisation})
   else()

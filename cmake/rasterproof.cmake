@@ -294,7 +294,7 @@ set(hang_seconds 3600)
 #   [COMPUTES])
 # makes one GoogleTest program per folder; ctest runs all its test cases as one ctest test "NAME",
 # or as n of them, "NAME_1" and so on, that share them out. Where sanitizers slow it down it runs a
-# share of its cases: see tests/share.h. COMPUTES: its own loops take longer than compiling them.
+# share of its cases: see tests/share.h. COMPUTES: its own loops are worth optimising.
 function(rasterproof_test name)
   cmake_parse_arguments(ARG "COMPUTES" "SHARDS" "SOURCES;LINK;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})

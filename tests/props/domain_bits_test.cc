@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <set>
 #include <sstream>
 #include <string>
 #include <string_view>
@@ -168,6 +169,15 @@ TEST(DomainBits, OfANumberAreTheSameForGoodAndUnderEveryCompiler) {
                                        << "'s for good: give " << domain.name << " a new one";
     }
   }
+}
+
+// A domain that is taken away leaves its number to kRetired. (Of the greatest nothing tells.)
+TEST(DomainBits, ANumberIsADomainsOrRetired) {
+  std::set<std::uint16_t> numbers;
+  for (const Domain& domain : Domains()) numbers.insert(domain.number);
+  for (const auto& [number, name] : kRetired) numbers.insert(number);
+  EXPECT_EQ(numbers.size(), *numbers.rbegin());
+  EXPECT_EQ(numbers.size(), Domains().size() + kRetired.size());
 }
 
 TEST(DomainBits, OfTheFuzzCodeAreTheSameForGoodAndUnderEveryCompiler) {

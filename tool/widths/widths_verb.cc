@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "CLI/CLI.hpp"
 #include "core/error.h"
 #include "core/quoted.h"
 #include "core/sample_pattern.h"
@@ -21,7 +22,7 @@
 #include "io/output.h"
 #include "lab/widths/widths.h"
 #include "tool/exit_status.h"
-#include "tool/verb_options.h"
+#include "tool/verb.h"
 
 namespace rasterproof::tool {
 namespace {

@@ -165,13 +165,43 @@ std::optional<WindowBox> UnclippedBox(const Profile& profile, int width, int hei
   return WindowBox{-pixels, -pixels, width + pixels, height + pixels};
 }
 
+namespace {
+
+// The product may round; a position within an ulp of the limit is not worth judging.
+bool ProjectsBeyond(const Scene& scene, double limit) {
+  return std::ranges::any_of(scene.vertices, [&](const Vertex& v) {
+    const double reach = limit * v.w;
+    return IsFinite(v) && (std::fabs(v.x) > reach || std::fabs(v.y) > reach);
+  });
+}
+
+}  // namespace
+
+std::optional<std::string> WhyBeyondLimits(const Scene& scene, const Profile& profile) {
+  if (!profile.max_target.Holds(scene.width, scene.height))
+    return "the target is larger than the profile's max_target";
+  if (!CanBeGiven(scene, profile))
+    return "the profile's fixed-point input does not take a coordinate of the scene";
+  const auto is_beyond = [&](const Vertex& v) {
+    return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > profile.coordinate_limit;
+  };
+  if (std::ranges::any_of(scene.vertices, is_beyond))
+    return "a coordinate lies beyond the profile's coordinate_limit";
+  if (scene.clip_space && !profile.snap.IsNone() && ProjectsBeyond(scene, profile.coordinate_limit))
+    return "a vertex projects beyond the profile's coordinate_limit";
+  return std::nullopt;
+}
+
+std::optional<std::string> WhyNotWithinLimits(const Scene& scene, const Profile& profile) {
+  const auto is_stated = [&](const Vertex& v) {
+    return IsFinite(v) && (profile.nan_z == NanZ::kIgnored || !std::isnan(v.z));
+  };
+  if (!std::ranges::all_of(scene.vertices, is_stated)) return "a coordinate is not finite";
+  return WhyBeyondLimits(scene, profile);
+}
+
 bool WithinLimits(const Scene& scene, const Profile& profile) {
-  if (!profile.max_target.Holds(scene.width, scene.height)) return false;
-  return CanBeGiven(scene, profile) && std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
-           const bool has_z = profile.nan_z == NanZ::kIgnored || !std::isnan(v.z);
-           return IsFinite(v) && has_z && std::fabs(v.x) <= profile.coordinate_limit &&
-                  std::fabs(v.y) <= profile.coordinate_limit;
-         });
+  return !WhyNotWithinLimits(scene, profile);
 }
 
 bool CanBeGiven(const Scene& scene, const Profile& profile) {

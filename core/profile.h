@@ -272,10 +272,20 @@ inline bool HasOneModel(const Profile& profile) {
 /// the same counts. Names, contracts, freedom and limits may differ.
 bool SameModel(const Profile& a, const Profile& b);
 
-/// Returns whether the scene lies within the profile's limits: x, y and w are finite, z is no NaN
-/// unless one changes nothing there (NanZ::kIgnored), x and y are within its limit and accepted by
-/// its fixed-point input, and the target is no larger than its largest.
+/// Returns which limit of the profile the scene exceeds, as a clause that names its key: the target
+/// is too large, the fixed-point input does not take a coordinate, or x or y of a finite vertex
+/// lies too far out or, of clip space on a grid, projects too far. Nothing if none: what is not
+/// finite has keys of its own.
+///
+/// Whoever judges, searches or draws asks here, so that a limit is stated once.
+std::optional<std::string> WhyBeyondLimits(const Scene& scene, const Profile& profile);
+
+/// Returns whether the scene lies within the profile's limits and is finite: x, y and w are, and z
+/// is no NaN unless one changes nothing there (NanZ::kIgnored).
 bool WithinLimits(const Scene& scene, const Profile& profile);
+
+/// Returns why not, as WhyBeyondLimits does; nothing if it is.
+std::optional<std::string> WhyNotWithinLimits(const Scene& scene, const Profile& profile);
 
 /// Returns whether a subject of this profile can be given the scene at all: a fixed-point input
 /// takes only window space, and only coordinates that its integers hold.

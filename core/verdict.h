@@ -75,6 +75,9 @@ struct Verdict {
   static Verdict NotApplicable(std::string why) {
     return {Outcome::kNotApplicable, 0, 0, std::move(why), std::nullopt};
   }
+  static Verdict NotExercised(std::string why) {
+    return {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt};
+  }
   static Verdict Refused(std::string why) {
     return {Outcome::kRefused, 0, 0, std::move(why), std::nullopt};
   }

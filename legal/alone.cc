@@ -1,7 +1,5 @@
 #include "legal/alone.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,7 +8,6 @@
 
 #include "core/error.h"
 #include "core/subject_info.h"
-#include "core/vertex.h"
 #include "exact/coverage.h"
 #include "exact/placed_scene.h"
 #include "legal/allowed.h"
@@ -31,12 +28,6 @@ bool IsLegalSet(const Profile& profile) {
 // Whether the profile says what a triangle alone covers, by its places.
 bool StatesSingles(const Profile& profile) {
   return profile.contract == Contract::kSquares || HasOneModel(profile) || StatesOneSide(profile);
-}
-
-bool IsBeyond(const Scene& scene, double limit) {
-  return std::ranges::any_of(scene.vertices, [&](const Vertex& v) {
-    return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > limit;
-  });
 }
 
 // The only triangle of the scene.
@@ -60,16 +51,14 @@ TriangleDecided DecideOne(const exact::PlacedScene& placed) {
 }  // namespace
 
 std::optional<std::string> WhyNotAlone(const Scene& scene, const Profile& profile) {
-  if (!CanBeGiven(scene, profile))
-    return "the profile's fixed-point input does not take a coordinate of the scene";
+  if (auto why = WhyBeyondLimits(scene, profile)) return why;
   if (profile.sample_positions != SamplePositions::kStated)
     return "the profile does not state where samples lie";
   const TargetProfile target(profile, scene);
   if (IsLegalSet(target)) return WhyNotJoint(scene, target);
   if (!StatesSingles(target)) return "the contract does not state single samples";
   const Scene seen = TakesToWindow(target, scene) ? ToWindow(scene, *target.transform) : scene;
-  if (IsBeyond(scene, target.coordinate_limit) || IsBeyond(seen, target.coordinate_limit))
-    return "a coordinate lies beyond the profile's coordinate_limit";
+  if (auto why = WhyBeyondLimits(seen, target)) return why;
   if (MayMoveEdgesAnyhow(seen, target)) return std::string(kClippedAnyhow);
   const auto why = exact::WhyNotDecided(exact::PlacedScene(scene, profile));
   return why ? std::optional<std::string>(why->what()) : std::nullopt;

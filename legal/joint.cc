@@ -296,14 +296,8 @@ std::optional<std::string> WhyNotJoint(const Scene& scene, const TargetProfile& 
     return "the profile does not state where samples lie";
   if (TakesToWindow(profile, scene)) return "the profile has a transform of its own";
   if (MayMoveEdgesAnyhow(scene, profile)) return std::string(kClippedAnyhow);
-  if (!scene.clip_space) {
-    const auto is_beyond = [&](const Vertex& v) {
-      return IsFinite(v) && std::max(std::fabs(v.x), std::fabs(v.y)) > profile.coordinate_limit;
-    };
-    if (std::ranges::any_of(scene.vertices, is_beyond))
-      return "a coordinate lies beyond the profile's coordinate_limit";
-    return std::nullopt;
-  }
+  if (auto why = WhyBeyondLimits(scene, profile)) return why;
+  if (!scene.clip_space) return std::nullopt;
   if (profile.snap.IsNone()) return "the profile has no grid in clip space";
   if (const auto error = exact::SnapClipError(scene, profile)) return error->what();
   return WhyNoPlaces(scene, profile);

@@ -66,8 +66,7 @@ PlacedCase Place(const Case& given, bool judges_degenerates) {
 std::optional<Verdict> FlatnessNotDecided(const PlacedCase& c, bool judges_degenerates) {
   if (judges_degenerates || StatesFlatTriangles(c.profile)) return std::nullopt;
   if (!c.why_not_placed || !PlacesClipSpace(c.profile)) return std::nullopt;
-  return Verdict{Outcome::kNotExercised, 0, 0,
-                 "the area after the division and snapping is not decided", std::nullopt};
+  return Verdict::NotExercised("the area after the division and snapping is not decided");
 }
 
 Verdict RenumberWitness(const PlacedCase& c, Verdict verdict) {

@@ -40,9 +40,7 @@ struct Checks {
 };
 
 /// Nothing is asked: the case does not put the property to the test, and why.
-inline Checks NotExercised(std::string why) {
-  return {{}, {Outcome::kNotExercised, 0, 0, std::move(why), std::nullopt}};
-}
+inline Checks NotExercised(std::string why) { return {{}, Verdict::NotExercised(std::move(why))}; }
 
 /// Nothing is asked: what the property asks the oracle about is not decided, and why.
 inline Checks NotDecided(const std::string& why) { return {{}, Verdict::NotApplicable(why)}; }

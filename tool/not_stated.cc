@@ -13,9 +13,7 @@ constexpr std::string_view kNotJudged = ": observed, not judged";
 }  // namespace
 
 std::string WhyNotStated(const Scene& scene, const Profile& profile) {
-  if (!WithinLimits(scene, profile)) {
-    return "coordinates or a target beyond what the profile states" + std::string(kNotJudged);
-  }
+  if (auto why = WhyNotWithinLimits(scene, profile)) return *why + std::string(kNotJudged);
   if (!IsUnclipped(scene, {profile, scene})) {
     return "triangles leave the profile's guard-band rectangle" + std::string(kNotJudged);
   }

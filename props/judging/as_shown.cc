@@ -28,7 +28,7 @@ CoverageCounts AsShown(CoverageCounts counts) {
 
 Verdict NeverHolds(Verdict verdict) {
   if (verdict.outcome == Outcome::kViolated) return verdict;
-  return {Outcome::kNotExercised, 0, 0, std::string(kJudgedAsShown), std::nullopt};
+  return Verdict::NotExercised(std::string(kJudgedAsShown));
 }
 
 }  // namespace rasterproof::props

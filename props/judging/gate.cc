@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -94,10 +93,6 @@ Wanted WantedBy(Shows shows) {
   return {[](const D&) { return true; }, "", ""};
 }
 
-Verdict NotExercisedVerdict(std::string_view why) {
-  return {Outcome::kNotExercised, 0, 0, std::string(why), std::nullopt};
-}
-
 bool LeavesAChoice(const Profile& profile, const Gate& gate) {
   return !profile.freedom.IsNone() ||
          (!kCountsTies.holds(profile) && !gate.judges_shared_edge_samples);
@@ -177,14 +172,6 @@ bool IsInFrontOfTheEye(const Scene& scene) {
   return std::ranges::all_of(scene.vertices, [](const Vertex& v) { return v.w > 0; });
 }
 
-// The product may round; a position within an ulp of the limit is not worth judging.
-bool ProjectsWithinLimits(const Scene& scene, const Profile& profile) {
-  return std::ranges::all_of(scene.vertices, [&](const Vertex& v) {
-    const double reach = profile.coordinate_limit * v.w;
-    return std::fabs(v.x) <= reach && std::fabs(v.y) <= reach;
-  });
-}
-
 // Whether what is judged depends on where the vertices lie.
 bool DependsOnPlaces(const Gate& gate) {
   switch (gate.contract) {
@@ -202,38 +189,27 @@ bool DependsOnPlaces(const Gate& gate) {
 
 std::optional<Verdict> CannotDraw(const Gate& gate, const SubjectInfo& info, const PlacedCase& c) {
   if (gate.space == Space::kWindow && c.scene.clip_space) {
-    return NotExercisedVerdict("the case is in clip space");
+    return Verdict::NotExercised("the case is in clip space");
   }
   if (gate.space == Space::kClip && !c.scene.clip_space) {
-    return NotExercisedVerdict("the case is in window space");
+    return Verdict::NotExercised("the case is in window space");
   }
   if ((c.options.cull != Cull::kNone && !info.takes_culling) ||
       (c.options.scissor && !info.takes_scissor)) {
-    return NotExercisedVerdict("the case needs culling or a scissor that the subject lacks");
+    return Verdict::NotExercised("the case needs culling or a scissor that the subject lacks");
   }
   if (c.scene.clip_space && (!PlacesClipSpace(c.profile) || StatesGuardBand(c.profile))) {
-    return NotExercisedVerdict("the case is in clip space, but the profile is about window space");
+    return Verdict::NotExercised(
+        "the case is in clip space, but the profile is about window space");
   }
   if (!Takes(info, c.scene)) {
     return Verdict::NotApplicable("the subject does not take scenes of this kind or precision");
   }
   if (c.scene.clip_space && !c.profile.freedom.transform_error && DependsOnPlaces(gate)) {
-    return NotExercisedVerdict("the profile states no error of the transform from clip space");
+    return Verdict::NotExercised("the profile states no error of the transform from clip space");
   }
   if (c.scene.clip_space && !c.profile.snap.IsNone() && !IsInFrontOfTheEye(c.scene)) {
-    return NotExercisedVerdict("snapped clip space: a vertex is not in front of the eye");
-  }
-  return std::nullopt;
-}
-
-std::optional<Verdict> OutsideLimits(const PlacedCase& c) {
-  if (!WithinLimits(c.scene, c.profile)) {
-    return NotExercisedVerdict(
-        "a coordinate is not finite or beyond the profile's limit, or the "
-        "target is larger than its largest");
-  }
-  if (c.scene.clip_space && !c.profile.snap.IsNone() && !ProjectsWithinLimits(c.scene, c.profile)) {
-    return NotExercisedVerdict("snapped clip space: a vertex projects beyond the profile's limit");
+    return Verdict::NotExercised("snapped clip space: a vertex is not in front of the eye");
   }
   return std::nullopt;
 }
@@ -291,15 +267,16 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   }
   if (std::optional<Verdict> refusal = CannotDraw(gate, subject.info, c)) return refusal;
   if (gate.unwrapped && !IsUnwrapped(c.scene, c.profile)) {
-    return NotExercisedVerdict("a coordinate wraps");
+    return Verdict::NotExercised("a coordinate wraps");
   }
   if (gate.needs_facings && IsJudgedAsShown(subject.info, c.scene)) {
-    return NotExercisedVerdict(kJudgedAsShown);
+    return Verdict::NotExercised(std::string(kJudgedAsShown));
   }
   if (!gate.beyond_limits) {
-    if (std::optional<Verdict> refusal = OutsideLimits(c)) return refusal;
+    if (auto why = WhyNotWithinLimits(c.scene, c.profile))
+      return Verdict::NotExercised(*std::move(why));
     if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
-      return NotExercisedVerdict("a triangle leaves the profile's guard-band rectangle");
+      return Verdict::NotExercised("a triangle leaves the profile's guard-band rectangle");
     }
   }
   if (!gate.asks_oracle) return std::nullopt;

@@ -83,7 +83,8 @@ struct Gate {
   /// True for a property that also holds for triangles of zero area with unspecified coverage: they
   /// too must not crash the subject or write outside the target.
   bool judges_degenerates = false;
-  /// True for a property that also holds beyond the profile's limits.
+  /// True for a property that also holds beyond the profile's limits. Any other is not exercised by
+  /// a case of which it would draw a scene beyond; but see Check::may_be_refused.
   bool beyond_limits = false;
   /// True for a property that is not stated where a coordinate wraps.
   bool unwrapped = false;
@@ -125,8 +126,8 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 ///                 the oracle is asked and does not decide the scene.
 /// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
-///                 front of the eye; the profile has keys that speak of window space alone; a
-///                 coordinate is beyond the profile's limit, or wraps; a triangle leaves the
+///                 front of the eye; the profile has keys that speak of window space alone;
+///                 WhyNotWithinLimits has a reason, or a coordinate wraps; a triangle leaves the
 ///                 profile's guard-band rectangle; the property needs facings, and the mesh is
 ///                 judged as it is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c);

@@ -51,8 +51,8 @@ double MovedBy(double x, double distance, double sign, Precision precision) {
 
 // Whether the profile says what the case's scene covers, triangles without area included.
 bool StatesItsCoverage(const PlacedCase& c) {
-  if (!WithinLimits(c.scene, c.profile) || !CanBeGiven(c.scene, c.profile) ||
-      !IsUnclipped(c.scene, c.profile) || exact::WhyNotDecided(c)) {
+  if (!WithinLimits(c.scene, c.profile) || !IsUnclipped(c.scene, c.profile) ||
+      exact::WhyNotDecided(c)) {
     return false;
   }
   return c.profile.degenerate_triangles == DegenerateTriangles::kNothing || c.flat.empty();

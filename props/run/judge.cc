@@ -22,6 +22,20 @@ Answers SubmitOne(Subject& subject, const Request& request) {
   return std::move(Submit(subject, {&request, 1}).front());
 }
 
+// Why a draw of the checks is no question to the subject, though the case is: its scene, which the
+// property made, exceeds a limit. Where the subject may refuse it, it may.
+std::optional<Verdict> DrawsBeyondLimits(const Checks& asked, const Profile& profile) {
+  for (const Check& check : asked.checks) {
+    const std::vector<DrawQuestion>& draws = check.questions.draws;
+    for (std::size_t d = 0; d < draws.size(); ++d) {
+      if (std::ranges::find(check.may_be_refused, d) != check.may_be_refused.end()) continue;
+      if (const auto why = WhyBeyondLimits(*draws[d].job.scene, profile))
+        return Verdict::NotExercised("the property's own scene is beyond the limits: " + *why);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::string PlaceOfFault(const Property& property, std::span<const Case> cases) {
@@ -46,7 +60,9 @@ CaseJudge::CaseJudge(const Property& property, const Case& c, const Description&
       return Conclude({*std::move(refusal)});
     }
     checks_ = property.ask(placed_, subject_);
-    if (checks_.checks.empty()) Conclude({checks_.otherwise});
+    if (checks_.checks.empty()) return Conclude({checks_.otherwise});
+    if (property.gate.beyond_limits) return;
+    if (auto beyond = DrawsBeyondLimits(checks_, placed_.profile)) Conclude({*std::move(beyond)});
   });
 }
 

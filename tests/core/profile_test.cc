@@ -63,6 +63,29 @@ TEST(Limits, OfAFixedPointInputAreItsIntegers) {
   EXPECT_FALSE(Takes(info, OneTriangle({{{0.03125, 0}, {1, 3}, {0, 0}}})));
 }
 
+TEST(Limits, AreNamedWhereASceneExceedsThem) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  Profile profile;
+  profile.coordinate_limit = 8;
+  profile.max_target = {4, 2};
+  Scene scene = OneTriangle({{{-8, 0}, {8, 3}, {0, 0}}});
+  scene.width = 4;
+  scene.height = 2;
+  EXPECT_EQ(WhyNotWithinLimits(scene, profile), std::nullopt);
+  scene.vertices[2].x = infinity;  // which its own keys are about
+  EXPECT_EQ(WhyBeyondLimits(scene, profile), std::nullopt);
+  EXPECT_EQ(WhyNotWithinLimits(scene, profile), "a coordinate is not finite");
+  scene.vertices[1].y = std::nextafter(8.0, infinity);
+  EXPECT_EQ(WhyBeyondLimits(scene, profile),
+            "a coordinate lies beyond the profile's coordinate_limit");
+  scene.height = 3;
+  EXPECT_EQ(WhyBeyondLimits(scene, profile), "the target is larger than the profile's max_target");
+  profile = Profile{};
+  profile.fixed = FixedInput{12, 4, true, false};
+  EXPECT_EQ(WhyBeyondLimits(OneTriangle({{{0.03125, 0}, {1, 3}, {0, 0}}}), profile),
+            "the profile's fixed-point input does not take a coordinate of the scene");
+}
+
 TEST(SameModel, LooksAtWhatCountsDependOn) {
   Profile a = *PresetProfile("gl-canonical");
   Profile b = a;

@@ -1,6 +1,7 @@
 // The joint verdict where the rasterizer computes window coordinates itself.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -111,6 +112,24 @@ TEST(ClipSpace, WhereNoErrorIsStatedNothingIsJudged) {
   // 2^-24 of 128 pixels is 2^-9 of a step of the grid.
   EXPECT_FALSE(WhyNotJoint(near.scene, {Stating(0x1p9), near.scene}));
   EXPECT_TRUE(WhyNotJoint(near.scene, {Stating(0x1p13), near.scene}));
+}
+
+TEST(ClipSpace, NothingIsDecidedBeyondTheLimits) {
+  std::mt19937_64 random(11);
+  const NearATie near = RandomScene(random, 0);
+  Profile profile = Stating(2);
+  double farthest = 0;
+  for (const Vertex& v : near.scene.vertices)
+    farthest = std::max({farthest, v.x, v.y, v.x / v.w, v.y / v.w});
+  profile.coordinate_limit = std::ceil(farthest);
+  EXPECT_EQ(WhyNotJoint(near.scene, {profile, near.scene}), std::nullopt);
+  Scene far = near.scene;
+  far.vertices[1].w = far.vertices[1].x / (2 * profile.coordinate_limit);
+  EXPECT_EQ(WhyNotJoint(far, {profile, far}),
+            "a vertex projects beyond the profile's coordinate_limit");
+  profile.max_target = {near.scene.width - 1, near.scene.height};
+  EXPECT_EQ(WhyNotJoint(near.scene, {profile, near.scene}),
+            "the target is larger than the profile's max_target");
 }
 
 TEST(ClipSpace, AWatertightProfileThatStatesItsFreedomIsJudgedJointly) {

@@ -70,6 +70,44 @@ std::string FaultOf(Subject& subject, const Property& property) {
   return "";
 }
 
+// Draws the case moved right by `Right` pixels, which no subject gets right.
+template <int Right>
+Checks DrawsMoved(const PlacedCase& c, const Description& /*subject*/) {
+  Scene moved = c.scene;
+  for (Vertex& v : moved.vertices) v.x += Right;
+  Questions questions;
+  questions.draws.push_back(CountsOf(moved, c.profile, c.options));
+  return OneCheck(std::move(questions),
+                  [](const Answers&) { return Verdict::Violated(1, "asked", Witness{}); });
+}
+
+TEST(AScenePropertiesMake, IsDrawnWithinTheLimitsAlone) {
+  SubjectInfo info = RealInfo();
+  info.profile.coordinate_limit = 4096;
+  int draws = 0;
+  FakeSubject subject(info,
+                      [&](const Scene& scene, const DrawOptions& options, CoverageCounts& counts) {
+                        ++draws;
+                        DrawRight(scene, options, counts);
+                      });
+  Case c = SomeCase();
+  c.profile = info.profile;
+  Property property = ModelProperty(kDomains);
+  property.gate.beyond_limits = false;
+  property.ask = DrawsMoved<5000>;
+  const Verdict beyond = TryCase(subject, property, c).verdict;
+  EXPECT_EQ(beyond.outcome, Outcome::kNotExercised);
+  EXPECT_EQ(beyond.message,
+            "the property's own scene is beyond the limits: a coordinate lies beyond the profile's "
+            "coordinate_limit");
+  EXPECT_EQ(draws, 0);
+  property.ask = DrawsMoved<1000>;
+  EXPECT_EQ(TryCase(subject, property, c).verdict.outcome, Outcome::kViolated);
+  property.ask = DrawsMoved<5000>;
+  property.gate.beyond_limits = true;  // one that asks beyond them on purpose
+  EXPECT_EQ(TryCase(subject, property, c).verdict.outcome, Outcome::kViolated);
+}
+
 TEST(AFaultOfOurs, IsNeverTheSubjects) {
   FakeSubject subject(RealInfo(), DrawRight);
   const std::string said = FaultOf(subject, Throwing(OracleFails));

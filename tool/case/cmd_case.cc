@@ -65,10 +65,8 @@ Verdict CompareWithModel(const CoverageCounts& observed, const props::Descriptio
   const CoverageDifference difference = Compare(observed, expected);
   if (difference.wrong == 0) return Verdict::Held(difference.samples);
   if (const std::string why = WhyObservedOnly(subject.info, c); !why.empty()) {
-    return {Outcome::kNotExercised, 0, 0,
-            fmt::format("{} of {} samples differ from the canonical model: {}", difference.wrong,
-                        difference.samples, why),
-            std::nullopt};
+    return Verdict::NotExercised(fmt::format("{} of {} samples differ from the canonical model: {}",
+                                             difference.wrong, difference.samples, why));
   }
   const std::size_t pixel = difference.first_wrong / static_cast<std::size_t>(expected.samples);
   const auto width = static_cast<std::size_t>(expected.width);

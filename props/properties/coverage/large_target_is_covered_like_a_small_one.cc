@@ -1,5 +1,6 @@
 // On a target of more than 2^24 samples rectangles of whole pixels are covered once, and nothing
 // else is: as on a small one.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -154,25 +155,24 @@ Verdict OnceInside(const Rectangles& rectangles, const CoverageCounts& observed)
   return verdict;
 }
 
-// What is sure before a scene is made.
-bool HoldsALargeTarget(const Profile& profile) {
-  return profile.coordinate_limit >= kSide && !profile.max_primitive_extent &&
-         (!profile.fixed || profile.fixed->Largest() >= kSide);
+bool HoldsALargeTarget(const PlacedCase& c, const SubjectInfo& info, const Shift& shift) {
+  return !c.profile.max_primitive_extent &&
+         std::ranges::all_of(kScenes, [&](const Rectangles& rectangles) {
+           const Scene scene = SceneOf(c, rectangles, shift);
+           return Takes(info, scene) && WithinLimits(scene, c.profile) &&
+                  IsUnwrapped(scene, c.profile) && IsUnclipped(scene, c.profile);
+         });
 }
 
 Checks Ask(const PlacedCase& c, const Description& subject) {
   Shift shift;
   if (const std::string why = WhyNot(c, subject.info, shift); !why.empty()) return NotDecided(why);
-  if (!HoldsALargeTarget(c.profile)) {
+  if (!HoldsALargeTarget(c, subject.info, shift)) {
     return NotDecided("its limits do not hold a target of more than 2^24 samples");
   }
   Checks asked;
   for (const std::size_t turn : TurnsOf(c.name, subject.has_twin)) {
-    Scene scene = SceneOf(c, kScenes[turn], shift);
-    if (!Takes(subject.info, scene) || !WithinLimits(scene, c.profile) ||
-        !IsUnwrapped(scene, c.profile) || !IsUnclipped(scene, c.profile)) {
-      return NotDecided("its limits do not hold a target of more than 2^24 samples");
-    }
+    const Scene scene = SceneOf(c, kScenes[turn], shift);
     Check& check = asked.checks.emplace_back();
     check.questions.draws.push_back(WholeCallOf(scene, c.profile, {}));
     check.judge = [turn](const Answers& answers) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <utility>
 
 #include "core/profile.h"
@@ -17,6 +16,7 @@
 #include "legal/flat_triangle.h"
 #include "legal/joint.h"
 #include "legal/owners.h"
+#include "model/snap_scene.h"
 #include "model/target_profile.h"
 
 namespace rasterproof::legal {
@@ -49,19 +49,6 @@ std::string WhyNoRange(const PlacedScene& placed) {
     return "the profile does not state where samples lie";
   const auto why = exact::WhyNotDecided(placed);
   return why ? why->what() : "";
-}
-
-// Whether nothing is stated of a triangle that is not finite.
-bool IsUnstated(const PlacedScene& placed, const std::array<Vertex, 3>& corners) {
-  const Profile& profile = placed.profile;
-  const auto any = [&](auto is) { return std::ranges::any_of(corners, is); };
-  const bool has_nan_z = any([](const Vertex& v) { return std::isnan(v.z); });
-  if (has_nan_z && profile.nan_z == NanZ::kNothing) return false;  // it covers nothing
-  if (any([](const Vertex& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w); }))
-    return profile.nan_vertex == NanVertex::kUnspecified;
-  if (!std::ranges::all_of(corners, IsFinite))
-    return profile.infinite_vertex == InfiniteVertex::kUnspecified;
-  return has_nan_z && profile.nan_z == NanZ::kUnspecified;
 }
 
 std::uint32_t Raised(std::uint32_t count, std::uint32_t by) {
@@ -142,8 +129,10 @@ void Allowed::FindRange(const PlacedScene& placed, const DrawOptions& options) {
   if (profile.contract != Contract::kSquares &&
       profile.degenerate_triangles == DegenerateTriangles::kUnspecified)
     unstated_ += AddFlat(placed, options, loose);
-  for (const Triangle& t : placed.scene.triangles)
-    unstated_ += IsUnstated(placed, Corners(placed.scene, t)) ? 1 : 0;
+  for (const Triangle& t : placed.scene.triangles) {
+    const auto said = FinitenessOf(Corners(placed.scene, t), placed.profile);
+    unstated_ += said == Finiteness::kUnstated ? 1 : 0;
+  }
   for (std::uint32_t& n : loose.front) n += unstated_;
   const bool is_loose = std::ranges::any_of(loose.front, [](std::uint32_t n) { return n != 0; });
   if (is_loose) loose_ = std::make_shared<const CoverageCounts>(std::move(loose));

@@ -12,6 +12,7 @@
 #include "legal/flat_triangle.h"
 #include "legal/straight_edges.h"
 #include "model/drop.h"
+#include "model/snap_scene.h"
 #include "model/target_profile.h"
 #include "model/wrap.h"
 
@@ -324,20 +325,6 @@ int FamilyView::SideOf(std::size_t triangle) const {
 
 namespace {
 
-// Whether a triangle with a corner that has no place may cover any sample.
-bool CoversAnything(const Profile& profile, const std::array<Vertex, 3>& given) {
-  const auto is_nan = [](const Vertex& v) {
-    return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w);
-  };
-  const auto is_nan_z = [](const Vertex& v) { return std::isnan(v.z); };
-  if (std::ranges::any_of(given, is_nan_z) && profile.nan_z == NanZ::kNothing) return false;
-  if (std::ranges::any_of(given, is_nan)) return profile.nan_vertex == NanVertex::kUnspecified;
-  if (!std::ranges::all_of(given, IsFinite)) {
-    return profile.infinite_vertex == InfiniteVertex::kUnspecified;
-  }
-  return true;  // nothing is stated of its NaN z
-}
-
 // Decides the sample, or adds it to the open ones.
 void AddSample(const TriangleOverPlaces& over, const ClippedTriangle& clipped,
                const Corners3& places, OpenSample open, TriangleSamples& samples) {
@@ -368,7 +355,7 @@ TriangleSamples FamilyView::Of(std::size_t triangle, const std::vector<bool>* on
   Corners3 places{};
   for (std::size_t k = 0; k < 3; ++k) places[k] = &PlacesOf(triangle, k);
   if (std::ranges::any_of(places, [](const auto* of) { return of->empty(); })) {
-    samples.covers_anything = CoversAnything(profile_, given);
+    samples.covers_anything = FinitenessOf(given, profile_) == Finiteness::kUnstated;
     return samples;
   }
   const std::optional<TieRule> rule = has_rule_ ? std::optional(family_.rule) : std::nullopt;

@@ -14,6 +14,21 @@
 
 namespace rasterproof {
 
+Finiteness FinitenessOf(const std::array<Vertex, 3>& corners, const Profile& profile) {
+  const auto any = [&](auto is) { return std::ranges::any_of(corners, is); };
+  const auto unless = [](bool is_unspecified) {
+    return is_unspecified ? Finiteness::kUnstated : Finiteness::kCoversNothing;
+  };
+  const bool has_nan_z = any([](const Vertex& v) { return std::isnan(v.z); });
+  if (has_nan_z && profile.nan_z == NanZ::kNothing) return Finiteness::kCoversNothing;
+  if (any([](const Vertex& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w); }))
+    return unless(profile.nan_vertex == NanVertex::kUnspecified);
+  if (!std::ranges::all_of(corners, IsFinite))
+    return unless(profile.infinite_vertex == InfiniteVertex::kUnspecified);
+  const bool is_open = has_nan_z && profile.nan_z == NanZ::kUnspecified;
+  return is_open ? Finiteness::kUnstated : Finiteness::kPlaced;
+}
+
 Scene SnapVertices(const Scene& scene, const TargetProfile& profile) {
   Scene snapped = TakesToWindow(profile, scene) ? ToWindow(scene, *profile.transform) : scene;
   for (Vertex& v : snapped.vertices) {

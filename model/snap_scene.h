@@ -2,13 +2,26 @@
 #ifndef RASTERPROOF_MODEL_SNAP_SCENE_H_
 #define RASTERPROOF_MODEL_SNAP_SCENE_H_
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "core/profile.h"
 #include "core/scene.h"
+#include "core/vertex.h"
 #include "model/target_profile.h"
 
 namespace rasterproof {
+
+/// What a profile says of a triangle by which of its numbers are finite.
+enum class Finiteness : std::uint8_t {
+  kPlaced,         ///< what its places say: x, y and w are finite, and z is or changes nothing
+  kCoversNothing,  ///< that it covers nothing
+  kUnstated        ///< nothing: it may cover anything
+};
+
+/// A NaN in z that covers nothing decides before one in x, y or w, and that before an infinity.
+Finiteness FinitenessOf(const std::array<Vertex, 3>& corners, const Profile& profile);
 
 /// Returns the scene with every vertex where the model puts it: x and y wrapped into the range of
 /// its fixed-point input and on the subpixel grid; a vertex of NaN z has no place (x is NaN) where

@@ -53,13 +53,9 @@ bool IsOpen(const PlacedCase& c) {
   const Profile& p = c.profile;
   if (!c.flat.empty() && p.degenerate_triangles == DegenerateTriangles::kUnspecified) return true;
   if (StatesGuardBand(p) && !IsUnclipped(c.placed, c.profile)) return true;
-  const bool is_finite = std::ranges::all_of(c.scene.vertices, IsFinite);
-  if (is_finite && !WithinLimits(c.scene, c.profile)) return true;
-  return std::ranges::any_of(c.scene.vertices, [&](const Vertex& v) {
-    if (IsFinite(v)) return p.nan_z == NanZ::kUnspecified && std::isnan(v.z);
-    const bool is_nan = std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.w);
-    return is_nan ? p.nan_vertex == NanVertex::kUnspecified
-                  : p.infinite_vertex == InfiniteVertex::kUnspecified;
+  if (WhyBeyondLimits(c.scene, p)) return true;
+  return std::ranges::any_of(c.scene.triangles, [&](const Triangle& t) {
+    return FinitenessOf(Corners(c.scene, t), p) == Finiteness::kUnstated;
   });
 }
 

@@ -122,6 +122,28 @@ TEST(Exceeds, DoesNotRound) {
   EXPECT_TRUE(exceeds(-1e308, 1e308));
 }
 
+TEST(FinitenessOf, DecidesByZThenByNanThenByInfinity) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto said = [](const Vertex& a, const Vertex& b, const Profile& profile) {
+    return FinitenessOf({a, b, Vertex{1, 2, 0, 1}}, profile);
+  };
+  const Vertex finite{3, 4, 0.5, 1}, of_nan{nan, 4, 0.5, 1}, infinite{3, infinity, 0.5, 1},
+      of_nan_z{3, 4, nan, 1};
+  Profile profile;  // NaNs and infinities cover nothing, z is ignored
+  EXPECT_EQ(said(finite, of_nan_z, profile), Finiteness::kPlaced);
+  EXPECT_EQ(said(finite, of_nan, profile), Finiteness::kCoversNothing);
+  profile.infinite_vertex = InfiniteVertex::kUnspecified;
+  EXPECT_EQ(said(finite, infinite, profile), Finiteness::kUnstated);
+  EXPECT_EQ(said(of_nan, infinite, profile), Finiteness::kCoversNothing);
+  profile.nan_vertex = NanVertex::kUnspecified;
+  EXPECT_EQ(said(of_nan, infinite, profile), Finiteness::kUnstated);
+  profile.nan_z = NanZ::kUnspecified;
+  EXPECT_EQ(said(finite, of_nan_z, profile), Finiteness::kUnstated);
+  profile.nan_z = NanZ::kNothing;
+  EXPECT_EQ(said(of_nan_z, of_nan, profile), Finiteness::kCoversNothing);
+}
+
 TEST(IsUnclipped, AsksForEveryCornerBeforeAndAfterSnapping) {
   Profile profile;
   profile.snap = {0};

@@ -10,6 +10,7 @@
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "core/scene.h"
+#include "model/snap_scene.h"
 #include "props/judging/redraw.h"
 #include "props/placed_case.h"
 #include "props/properties/clause_lists.h"
@@ -23,18 +24,6 @@ namespace non_finite_triangles_cover_nothing {
 // What is finite of it must be within the limit: beyond that nothing is stated.
 bool IsWithin(double x, double limit) { return !std::isfinite(x) || std::fabs(x) <= limit; }
 
-// Whether the profile says of the triangle that it covers nothing: for a NaN, or else for an
-// infinity.
-bool IsJudged(const std::array<Vertex, 3>& v, const Profile& profile) {
-  const bool has_nan = std::ranges::any_of(
-      v, [](const Vertex& p) { return std::isnan(p.x) || std::isnan(p.y) || std::isnan(p.w); });
-  const bool has_nan_z = std::ranges::any_of(v, [](const Vertex& p) { return std::isnan(p.z); });
-  if (has_nan_z && profile.nan_z == NanZ::kNothing) return true;
-  if (has_nan) return profile.nan_vertex == NanVertex::kNothing;
-  if (std::ranges::all_of(v, IsFinite)) return false;
-  return profile.infinite_vertex == InfiniteVertex::kNothing;
-}
-
 std::vector<std::size_t> NonFiniteTriangles(const PlacedCase& c) {
   std::vector<std::size_t> triangles;
   for (std::size_t t = 0; t < c.scene.triangles.size(); ++t) {
@@ -42,7 +31,7 @@ std::vector<std::size_t> NonFiniteTriangles(const PlacedCase& c) {
     const bool within = std::ranges::all_of(v, [&](const Vertex& p) {
       return IsWithin(p.x, c.profile.coordinate_limit) && IsWithin(p.y, c.profile.coordinate_limit);
     });
-    if (within && IsJudged(v, c.profile)) triangles.push_back(t);
+    if (within && FinitenessOf(v, c.profile) == Finiteness::kCoversNothing) triangles.push_back(t);
   }
   return triangles;
 }

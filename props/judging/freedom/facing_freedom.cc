@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 #include <utility>
 
-#include "core/elementary.h"
 #include "core/profile.h"
 #include "core/target_size.h"
 #include "exact/coverage.h"
 #include "model/target_profile.h"
 #include "props/judging/freedom/outline.h"
 #include "props/judging/freedom/sample_region.h"
+#include "props/judging/freedom/thin_triangles.h"
 #include "props/placed_case.h"
 
 namespace rasterproof::props {
@@ -58,24 +57,6 @@ Polygon CutTo(const Polygon& polygon, const LegalPlaces& box) {
   return Cut(cut, [&](Point2 p) { return box.high.y - p.y; });
 }
 
-// The least distance of two parallel lines that hold the convex polygon between them.
-double Thickness(const Polygon& polygon) {
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < polygon.size(); ++k) {
-    const Point2 a = polygon[k];
-    const Point2 b = polygon[(k + 1) % polygon.size()];
-    const double length = Hypot(b.x - a.x, b.y - a.y);
-    if (!(length > 0)) continue;
-    double most = 0;
-    for (const Point2 p : polygon) {
-      const double off = ((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length;
-      most = std::max(most, std::fabs(off));
-    }
-    least = std::min(least, most);
-  }
-  return std::isfinite(least) ? least : 0;
-}
-
 bool Leaves(const std::array<Vertex, 3>& v, const Scene& scene) {
   return !std::ranges::all_of(v, [&](const Vertex& p) {
     return p.x >= 0 && p.y >= 0 && p.x <= scene.width && p.y <= scene.height;
@@ -88,7 +69,7 @@ bool IsThinOnceClipped(const std::array<Vertex, 3>& v, const Scene& scene, doubl
   for (const Vertex& p : v) largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
   const Polygon whole{WindowPoint(v[0]), WindowPoint(v[1]), WindowPoint(v[2])};
   const Polygon part = CutTo(whole, {{-step, -step}, {scene.width + step, scene.height + step}});
-  return !(Thickness(part) > kThinnestClippedSteps * step + kRoundingMargin * largest);
+  return !(WidthOf(part) > kThinnestClippedSteps * step + kRoundingMargin * largest);
 }
 
 constexpr int kReferenceSide = 4;
@@ -103,26 +84,6 @@ Scene ReferenceTriangle(int width, int height) {
   return scene;
 }
 
-std::vector<Point2> CornersOf(const LegalPlaces& box) {
-  return {box.low, {box.high.x, box.low.y}, {box.low.x, box.high.y}, box.high};
-}
-
-// The turn of all triangles of points of the boxes, or 0 if there are two. The area is affine in
-// each coordinate: its extremes are at the boxes' corners.
-int TurnOf(const LegalPlaces& a, const LegalPlaces& b, std::span<const Point2> points) {
-  int turn = 0;
-  for (const Point2 p : CornersOf(a)) {
-    for (const Point2 q : CornersOf(b)) {
-      for (const Point2 r : points) {
-        const int sign = exact::Facing({p, q, r});
-        if (sign == 0 || (turn != 0 && sign != turn)) return 0;
-        turn = sign;
-      }
-    }
-  }
-  return turn;
-}
-
 }  // namespace
 
 LegalTriangle::LegalTriangle(const PlacedCase& c, const Triangle& t) {
@@ -135,7 +96,7 @@ LegalTriangle::LegalTriangle(const PlacedCase& c, const Triangle& t) {
   knows_samples_ = profile.sample_positions == SamplePositions::kStated;
   beyond_pixel_ = knows_samples_ || BoundsSamples(profile) ? 0 : kSampleMargin;
   places_ = *places;
-  turn_ = TurnOf(places_[0], places_[1], CornersOf(places_[2]));
+  turn_ = FacingOfAll(places_).value_or(0);
   const double step = CoarsestStep(profile);
   const bool leaves = Leaves(v, c.scene);
   if (turn_ == 0 || (leaves && step > 0 && IsThinOnceClipped(v, c.scene, step))) return;
@@ -159,7 +120,8 @@ bool LegalTriangle::CoversInEveryModel(Point2 p) const {
         {{corner.x - beyond_pixel_, corner.y - beyond_pixel_}, {corner.x + far, corner.y + far}});
   }
   for (std::size_t i = 0; i < 3; ++i) {
-    if (TurnOf(places_[i], places_[(i + 1) % 3], at) != turn_) return false;
+    const auto turn = FacingOfAll(CornersOf(places_[i]), CornersOf(places_[(i + 1) % 3]), at);
+    if (turn != turn_) return false;
   }
   return true;
 }

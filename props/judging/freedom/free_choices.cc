@@ -139,35 +139,6 @@ std::optional<PlacedVertex> Placed(const Vertex& v, bool clip_space, const Profi
 
 using Places = std::array<LegalPlaces, 3>;
 
-// The corners of the rectangle, each once.
-std::vector<Point2> CornersOfPlaces(const LegalPlaces& places) {
-  const auto [low, high] = places;
-  std::vector<Point2> corners{low};
-  if (high.x != low.x) corners.push_back({high.x, low.y});
-  if (high.y == low.y) return corners;
-  corners.push_back({low.x, high.y});
-  if (high.x != low.x) corners.push_back(high);
-  return corners;
-}
-
-// The sign of the area in every legal model, or nothing if two differ in it. Affine in each of six
-// coordinates, the area has its extremes where each is at an end.
-std::optional<int> FacingInEveryModel(const Places& places) {
-  const std::array<std::vector<Point2>, 3> corners{
-      CornersOfPlaces(places[0]), CornersOfPlaces(places[1]), CornersOfPlaces(places[2])};
-  std::optional<int> facing;
-  for (const Point2 a : corners[0]) {
-    for (const Point2 b : corners[1]) {
-      for (const Point2 p : corners[2]) {
-        const int sign = exact::Facing({a, b, p});
-        if (facing && *facing != sign) return std::nullopt;
-        facing = sign;
-      }
-    }
-  }
-  return facing;
-}
-
 enum class Drops : std::uint8_t { kNever, kAlways, kInSomeModels };
 
 Drops DropsOf(const Places& places, const std::optional<MaxPrimitiveExtent>& most) {
@@ -199,8 +170,7 @@ bool AlwaysCullsTurn(const Profile& profile, int turn) {
 // Whether no legal model draws a triangle of these places, for its extent or its facing.
 bool IsDrawnByNone(const Places& places, const Profile& profile) {
   if (DropsOf(places, profile.max_primitive_extent) == Drops::kAlways) return true;
-  return profile.culls != Cull::kNone &&
-         AlwaysCullsTurn(profile, FacingInEveryModel(places).value_or(0));
+  return profile.culls != Cull::kNone && AlwaysCullsTurn(profile, FacingOfAll(places).value_or(0));
 }
 
 bool LeavesBy(const LegalPlaces& places, const Vertex& v, const std::optional<WindowBox>& box) {
@@ -264,7 +234,7 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
     low = {low.x - clipped, low.y - clipped};
     high = {high.x + clipped, high.y + clipped};
     triangle.places[k] = placed[k].legal;
-    for (const Point2 corner : CornersOfPlaces(placed[k].legal)) {
+    for (const Point2 corner : CornersOf(placed[k].legal)) {
       triangle.most_moved = std::max(triangle.most_moved, Apart(corner, placed[k].given));
     }
   }
@@ -272,6 +242,31 @@ std::optional<PlacedTriangle> PlacedCorners(const std::array<Vertex, 3>& v, bool
 }
 
 }  // namespace
+
+std::vector<Point2> CornersOf(const LegalPlaces& places) {
+  const auto [low, high] = places;
+  std::vector<Point2> corners{low};
+  if (high.x != low.x) corners.push_back({high.x, low.y});
+  if (high.y == low.y) return corners;
+  corners.push_back({low.x, high.y});
+  if (high.x != low.x) corners.push_back(high);
+  return corners;
+}
+
+std::optional<int> FacingOfAll(std::span<const Point2> a, std::span<const Point2> b,
+                               std::span<const Point2> c) {
+  std::optional<int> facing;
+  for (const Point2 p : a) {
+    for (const Point2 q : b) {
+      for (const Point2 r : c) {
+        const int sign = exact::Facing({p, q, r});
+        if (facing && *facing != sign) return std::nullopt;
+        facing = sign;
+      }
+    }
+  }
+  return facing;
+}
 
 ClippedEdges::ClippedEdges(const PlacedCase& c) {
   const TargetProfile& profile = c.profile;
@@ -315,7 +310,7 @@ OpenTriangles::OpenTriangles(const PlacedCase& c) {
     const Drops drops = DropsOf(placed->places, profile.max_primitive_extent);
     if (drops == Drops::kAlways) continue;
     if (HaveOnePlace(v[0], v[1]) || HaveOnePlace(v[1], v[2]) || HaveOnePlace(v[2], v[0])) continue;
-    const std::optional<int> facing = FacingInEveryModel(placed->places);
+    const std::optional<int> facing = FacingOfAll(placed->places);
     if (facing && AlwaysCullsTurn(profile, *facing)) continue;
     if (facing && drops == Drops::kNever) {
       add_fixed(*facing);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/scene.h"
@@ -21,6 +22,17 @@ struct LegalPlaces {
   Point2 low;
   Point2 high;
 };
+
+/// The corners of the rectangle, each once.
+std::vector<Point2> CornersOf(const LegalPlaces& places);
+
+/// The sign of the area of every triangle with a vertex in each list, or nothing if two differ in
+/// it. Affine in each of six coordinates, the area over rectangles has its extremes at corners.
+std::optional<int> FacingOfAll(std::span<const Point2> a, std::span<const Point2> b,
+                               std::span<const Point2> c);
+inline std::optional<int> FacingOfAll(const std::array<LegalPlaces, 3>& places) {
+  return FacingOfAll(CornersOf(places[0]), CornersOf(places[1]), CornersOf(places[2]));
+}
 
 /// The samples that legal models decide differently because they clip triangles.
 class ClippedEdges {

@@ -83,15 +83,6 @@ ConvexSet HullOf(std::vector<Point2> points, double largest) {
   return set;
 }
 
-std::vector<Point2> ExtremesOf(const LegalPlaces& places) {
-  const auto [low, high] = places;
-  std::vector<Point2> corners{low};
-  if (high.x != low.x) corners.push_back({high.x, low.y});
-  if (high.y != low.y) corners.push_back({low.x, high.y});
-  if (high.x != low.x && high.y != low.y) corners.push_back(high);
-  return corners;
-}
-
 using Places = std::array<LegalPlaces, 3>;
 
 // The sign of the area for all places of the corners, for certain.
@@ -99,9 +90,9 @@ std::optional<int> FacingOf(const Places& places, double largest) {
   const double error = kErrorPerCoordinate * (largest + 1) * (largest + 1);
   double least = INFINITY;
   double most = -INFINITY;
-  for (const Point2 a : ExtremesOf(places[0])) {
-    for (const Point2 b : ExtremesOf(places[1])) {
-      for (const Point2 p : ExtremesOf(places[2])) {
+  for (const Point2 a : CornersOf(places[0])) {
+    for (const Point2 b : CornersOf(places[1])) {
+      for (const Point2 p : CornersOf(places[2])) {
         least = std::min(least, Turn(a, b, p));
         most = std::max(most, Turn(a, b, p));
       }
@@ -117,8 +108,8 @@ std::optional<int> FacingOf(const Places& places, double largest) {
 ConvexSet CoreOf(const Places& places, int facing, double largest) {
   ConvexSet core;
   for (std::size_t i = 0; i < 3; ++i) {
-    for (const Point2 a : ExtremesOf(places[i])) {
-      for (const Point2 b : ExtremesOf(places[(i + 1) % 3]))
+    for (const Point2 a : CornersOf(places[i])) {
+      for (const Point2 b : CornersOf(places[(i + 1) % 3]))
         core.sides.push_back(*Beside(a, b, facing, largest));  // apart: the area is not zero
     }
   }
@@ -199,7 +190,7 @@ std::optional<TriangleReach> ReachOfTriangle(const PlacedCase& c, const Triangle
   const std::optional<WindowBox> box = UnclippedBox(c.profile, c.scene.width, c.scene.height);
   for (std::size_t k = 0; k < 3; ++k) {
     const LegalPlaces& corner = (*places)[k];
-    for (const Point2 p : ExtremesOf(corner)) corners.push_back(p);
+    for (const Point2 p : CornersOf(corner)) corners.push_back(p);
     reach.around_corner[k] = BoxOf(corner.low, corner.high, largest);
     reach.is_clipped = reach.is_clipped || (box && !Contains(*box, corner, v[k]));
   }
@@ -214,8 +205,8 @@ std::optional<TriangleReach> ReachOfTriangle(const PlacedCase& c, const Triangle
 
 ConvexSet ReachOfEdge(const PlacedCase& c, const Triangle& t, std::size_t from) {
   const Places places = *LegalPlacesOf(c, t);
-  std::vector<Point2> ends = ExtremesOf(places[from]);
-  for (const Point2 p : ExtremesOf(places[(from + 1) % 3])) ends.push_back(p);
+  std::vector<Point2> ends = CornersOf(places[from]);
+  for (const Point2 p : CornersOf(places[(from + 1) % 3])) ends.push_back(p);
   return HullOf(std::move(ends), LargestOf(c, places));
 }
 

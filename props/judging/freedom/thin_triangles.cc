@@ -90,19 +90,6 @@ double Across(Point2 a, Point2 b, Point2 p) {
   return length == 0 ? 0 : ((p.x - a.x) * (b.y - a.y) - (p.y - a.y) * (b.x - a.x)) / length;
 }
 
-// The least, over the sides, of how far the polygon reaches from that side.
-double Width(const std::vector<Point2>& polygon) {
-  double width = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point2 a = polygon[i];
-    const Point2 b = polygon[(i + 1) % polygon.size()];
-    double reaches = 0;
-    for (const Point2 p : polygon) reaches = std::max(reaches, std::fabs(Across(a, b, p)));
-    if (a != b) width = std::min(width, reaches);
-  }
-  return std::isinf(width) ? 0 : width;
-}
-
 // Convex, either way round. Points within `reach` of it count.
 bool LiesWithin(const std::vector<Point2>& polygon, Point2 p, double reach) {
   bool left = true;
@@ -134,6 +121,18 @@ double ReachOfVertices(const PlacedCase& c) {
 
 }  // namespace
 
+double WidthOf(std::span<const Point2> polygon) {
+  double width = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point2 a = polygon[i];
+    const Point2 b = polygon[(i + 1) % polygon.size()];
+    double reaches = 0;
+    for (const Point2 p : polygon) reaches = std::max(reaches, std::fabs(Across(a, b, p)));
+    if (a != b) width = std::min(width, reaches);
+  }
+  return std::isinf(width) ? 0 : width;
+}
+
 double LegalReach(const PlacedCase& c) { return ReachOfVertices(c) + SampleReach(c.profile); }
 
 ThinTriangles::ThinTriangles(const PlacedCase& c, double reach) : reach_(reach) {
@@ -150,7 +149,7 @@ ThinTriangles::ThinTriangles(const PlacedCase& c, double reach) : reach_(reach) 
     // separate corners: a sliver among them may turn, however broad the whole is.
     const bool is_cut = std::ranges::any_of(v, [](const Vertex& p) { return !(p.w > 0); });
     // An eighth for the corners, on both sides.
-    if (is_cut || Width(*places) < 2.25 * reach) outlines_.push_back(std::move(*places));
+    if (is_cut || WidthOf(*places) < 2.25 * reach) outlines_.push_back(std::move(*places));
   }
 }
 

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_PROPS_JUDGING_FREEDOM_THIN_TRIANGLES_H_
 #define RASTERPROOF_PROPS_JUDGING_FREEDOM_THIN_TRIANGLES_H_
 
+#include <span>
 #include <vector>
 
 #include "core/vertex.h"
@@ -14,6 +15,9 @@ namespace rasterproof::props {
 /// the grid is not stated at all, on each axis; and how far a sample may lie from where its pattern
 /// has it.
 double LegalReach(const PlacedCase& c);
+
+/// The least, over the sides of a convex polygon, of how far it reaches from that side.
+double WidthOf(std::span<const Point2> polygon);
 
 /// The triangles of a clip-space case, around the eye as they may lie, that may turn over or vanish
 /// when what is drawn of them moves by the reach: those with a vertex at w <= 0, which are drawn in

@@ -179,8 +179,7 @@ PrimitivePlanes PrimitiveOf(const SubjectInfo& info, const Scene& target,
                             const std::array<LegalPlaces, 3>& places) {
   std::vector<Point2> corners;
   for (const LegalPlaces& place : places) {
-    const auto [low, high] = Grown(place, RoundingOfAPoint(info, target));
-    for (const Point2 p : {low, {high.x, low.y}, {low.x, high.y}, high}) {
+    for (const Point2 p : CornersOf(Grown(place, RoundingOfAPoint(info, target)))) {
       if (std::ranges::find(corners, p) == corners.end()) corners.push_back(p);
     }
   }

@@ -177,9 +177,14 @@ bool ProjectsBeyond(const Scene& scene, double limit) {
 
 }  // namespace
 
-std::optional<std::string> WhyBeyondLimits(const Scene& scene, const Profile& profile) {
+std::optional<std::string> WhyTooLarge(const Scene& scene, const Profile& profile) {
   if (!profile.max_target.Holds(scene.width, scene.height))
     return "the target is larger than the profile's max_target";
+  return std::nullopt;
+}
+
+std::optional<std::string> WhyBeyondLimits(const Scene& scene, const Profile& profile) {
+  if (auto why = WhyTooLarge(scene, profile)) return why;
   if (!CanBeGiven(scene, profile))
     return "the profile's fixed-point input does not take a coordinate of the scene";
   const auto is_beyond = [&](const Vertex& v) {

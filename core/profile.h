@@ -272,6 +272,9 @@ inline bool HasOneModel(const Profile& profile) {
 /// the same counts. Names, contracts, freedom and limits may differ.
 bool SameModel(const Profile& a, const Profile& b);
 
+/// Returns which limit of sizes the scene exceeds, as a clause that names its key. Nothing if none.
+std::optional<std::string> WhyTooLarge(const Scene& scene, const Profile& profile);
+
 /// Returns which limit of the profile the scene exceeds, as a clause that names its key: the target
 /// is too large, the fixed-point input does not take a coordinate, or x or y of a finite vertex
 /// lies too far out or, of clip space on a grid, projects too far. Nothing if none: what is not

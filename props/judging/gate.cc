@@ -250,6 +250,18 @@ bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile) {
 
 bool IsShownBy(Shows shows, const Description& subject) { return WantedBy(shows).has(subject); }
 
+std::optional<std::string> WhyBeyond(BoundBy limits, const Scene& scene, const Profile& profile) {
+  switch (limits) {
+    case BoundBy::kLimits:
+      return WhyBeyondLimits(scene, profile);
+    case BoundBy::kSizes:
+      return WhyTooLarge(scene, profile);
+    case BoundBy::kNothing:
+      break;
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> DoesNotApply(const Gate& gate, const Description& subject) {
   if (std::optional<std::string> why = SubjectLacks(gate, subject)) return why;
   const Profile& profile = subject.info.profile;
@@ -272,9 +284,11 @@ std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, con
   if (gate.needs_facings && IsJudgedAsShown(subject.info, c.scene)) {
     return Verdict::NotExercised(std::string(kJudgedAsShown));
   }
-  if (!gate.beyond_limits) {
-    if (auto why = WhyNotWithinLimits(c.scene, c.profile))
-      return Verdict::NotExercised(*std::move(why));
+  const bool keeps_limits = gate.bound_by == BoundBy::kLimits;
+  if (auto why = keeps_limits ? WhyNotWithinLimits(c.scene, c.profile)
+                              : WhyBeyond(gate.bound_by, c.scene, c.profile))
+    return Verdict::NotExercised(*std::move(why));
+  if (keeps_limits) {
     if (!MayBeClipped(gate) && !c.scene.clip_space && !IsUnclipped(c.scene, c.profile)) {
       return Verdict::NotExercised("a triangle leaves the profile's guard-band rectangle");
     }
@@ -298,9 +312,11 @@ std::string WordsOf(const Gate& gate) {
   for (const ProfileRule& rule : gate.rules) Add(words, rule.words);
   if (gate.space == Space::kWindow) Add(words, "window space");
   if (gate.space == Space::kClip) Add(words, "clip space");
-  if (!gate.beyond_limits) Add(words, "coordinates within the limits");
+  if (gate.bound_by == BoundBy::kLimits) Add(words, "coordinates within the limits");
+  if (gate.bound_by == BoundBy::kSizes) Add(words, "sizes within the limits");
   if (gate.unwrapped) Add(words, "no coordinate wraps");
-  if (!gate.beyond_limits && !MayBeClipped(gate)) Add(words, "no corner outside guard_band");
+  if (gate.bound_by == BoundBy::kLimits && !MayBeClipped(gate))
+    Add(words, "no corner outside guard_band");
   if (gate.asks_oracle) Add(words, "a scene that the oracle decides");
   Add(words, gate.where);
   return words.empty() ? "every scene that the subject takes" : words;

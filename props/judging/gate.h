@@ -58,6 +58,13 @@ enum class ContractNeeded : std::uint8_t {
   kSampleExact
 };
 
+/// Which limits of the profile bind a property.
+enum class BoundBy : std::uint8_t {
+  kLimits,  ///< all
+  kSizes,   ///< those of sizes: it also holds of coordinates beyond, and of what is not finite
+  kNothing  ///< none: it holds of whatever is drawn
+};
+
 /// Something that the profile must say.
 struct ProfileRule {
   bool (*holds)(const Profile&);
@@ -83,9 +90,9 @@ struct Gate {
   /// True for a property that also holds for triangles of zero area with unspecified coverage: they
   /// too must not crash the subject or write outside the target.
   bool judges_degenerates = false;
-  /// True for a property that also holds beyond the profile's limits. Any other is not exercised by
-  /// a case of which it would draw a scene beyond; but see Check::may_be_refused.
-  bool beyond_limits = false;
+  /// A case is not exercised that exceeds these limits, or of which the property would draw a scene
+  /// that does; but see Check::may_be_refused.
+  BoundBy bound_by = BoundBy::kLimits;
   /// True for a property that is not stated where a coordinate wraps.
   bool unwrapped = false;
   /// True for a property that needs counts by facing: a mesh that is judged as the subject shows it
@@ -114,6 +121,9 @@ bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile);
 /// Returns whether the subject shows this, or takes it as an option.
 bool IsShownBy(Shows shows, const Description& subject);
 
+/// Returns which of these limits the scene exceeds, as a clause that names its key. Nothing if none.
+std::optional<std::string> WhyBeyond(BoundBy limits, const Scene& scene, const Profile& profile);
+
 /// Returns why the property does not apply to the subject, whatever the case, or nothing if it may.
 ///
 /// Domain:     the profile that the subject is judged by. Where it states models by target size,
@@ -127,7 +137,7 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 /// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
 ///                 front of the eye; the profile has keys that speak of window space alone;
-///                 WhyNotWithinLimits has a reason, or a coordinate wraps; a triangle leaves the
+///                 it exceeds the limits, is not finite, or a coordinate wraps; a triangle leaves the
 ///                 profile's guard-band rectangle; the property needs facings, and the mesh is
 ///                 judged as it is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c);

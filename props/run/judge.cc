@@ -24,12 +24,15 @@ Answers SubmitOne(Subject& subject, const Request& request) {
 
 // Why a draw of the checks is no question to the subject, though the case is: its scene, which the
 // property made, exceeds a limit. Where the subject may refuse it, it may.
-std::optional<Verdict> DrawsBeyondLimits(const Checks& asked, const Profile& profile) {
+std::optional<Verdict> DrawsBeyond(BoundBy limits, const Checks& asked, const Profile& profile) {
   for (const Check& check : asked.checks) {
     const std::vector<DrawQuestion>& draws = check.questions.draws;
     for (std::size_t d = 0; d < draws.size(); ++d) {
       if (std::ranges::find(check.may_be_refused, d) != check.may_be_refused.end()) continue;
-      if (const auto why = WhyBeyondLimits(*draws[d].job.scene, profile))
+      const DrawJob& job = draws[d].job;
+      const auto why = job.triangles ? WhyBeyond(limits, SceneOf(job), profile)
+                                     : WhyBeyond(limits, *job.scene, profile);
+      if (why)
         return Verdict::NotExercised("the property's own scene is beyond the limits: " + *why);
     }
   }
@@ -61,8 +64,8 @@ CaseJudge::CaseJudge(const Property& property, const Case& c, const Description&
     }
     checks_ = property.ask(placed_, subject_);
     if (checks_.checks.empty()) return Conclude({checks_.otherwise});
-    if (property.gate.beyond_limits) return;
-    if (auto beyond = DrawsBeyondLimits(checks_, placed_.profile)) Conclude({*std::move(beyond)});
+    if (auto beyond = DrawsBeyond(property.gate.bound_by, checks_, placed_.profile))
+      Conclude({*std::move(beyond)});
   });
 }
 

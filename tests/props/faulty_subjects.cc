@@ -154,14 +154,15 @@ Checks AskForTheModel(const PlacedCase& c, const Description& /*subject*/) {
 }  // namespace
 
 Property ModelProperty(std::span<const std::string_view> domains) {
-  return {
-      .name = "CoverageIsTheModels",
-      .group = "coverage",
-      .clause = "the counts are those of the canonical model",
-      .tolerance = "none: exact",
-      .domains = domains,
-      .gate = {.space = Space::kEither, .contract = ContractNeeded::kNone, .beyond_limits = true},
-      .ask = AskForTheModel};
+  return {.name = "CoverageIsTheModels",
+          .group = "coverage",
+          .clause = "the counts are those of the canonical model",
+          .tolerance = "none: exact",
+          .domains = domains,
+          .gate = {.space = Space::kEither,
+                   .contract = ContractNeeded::kNone,
+                   .bound_by = BoundBy::kNothing},
+          .ask = AskForTheModel};
 }
 
 Verdict CoverageIsTheModels(Subject& subject, const Case& c) {

@@ -93,7 +93,7 @@ TEST(AScenePropertiesMake, IsDrawnWithinTheLimitsAlone) {
   Case c = SomeCase();
   c.profile = info.profile;
   Property property = ModelProperty(kDomains);
-  property.gate.beyond_limits = false;
+  property.gate.bound_by = BoundBy::kLimits;
   property.ask = DrawsMoved<5000>;
   const Verdict beyond = TryCase(subject, property, c).verdict;
   EXPECT_EQ(beyond.outcome, Outcome::kNotExercised);
@@ -104,7 +104,13 @@ TEST(AScenePropertiesMake, IsDrawnWithinTheLimitsAlone) {
   property.ask = DrawsMoved<1000>;
   EXPECT_EQ(TryCase(subject, property, c).verdict.outcome, Outcome::kViolated);
   property.ask = DrawsMoved<5000>;
-  property.gate.beyond_limits = true;  // one that asks beyond them on purpose
+  property.gate.bound_by = BoundBy::kSizes;  // one that asks beyond it on purpose
+  EXPECT_EQ(TryCase(subject, property, c).verdict.outcome, Outcome::kViolated);
+  c.profile.max_target = {c.scene.width, c.scene.height - 1};
+  const Verdict too_large = TryCase(subject, property, c).verdict;
+  EXPECT_EQ(too_large.outcome, Outcome::kNotExercised);
+  EXPECT_EQ(too_large.message, "the target is larger than the profile's max_target");
+  property.gate.bound_by = BoundBy::kNothing;
   EXPECT_EQ(TryCase(subject, property, c).verdict.outcome, Outcome::kViolated);
 }
 

@@ -101,7 +101,7 @@ const props::Property& PropertyOf(const LoadedCase& loaded) {
                                      .domains = {},
                                      .gate = {.space = props::Space::kEither,
                                               .contract = props::ContractNeeded::kNone,
-                                              .beyond_limits = true,
+                                              .bound_by = props::BoundBy::kNothing,
                                               .asks_oracle = true},
                                      .ask = AskForTheModel};
   return loaded.property != nullptr ? *loaded.property : plain;

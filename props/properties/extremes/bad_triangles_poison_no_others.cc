@@ -117,7 +117,7 @@ extern constinit const Property kBadTrianglesPoisonNoOthers{
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
-             .beyond_limits = true,
+             .bound_by = BoundBy::kSizes,
              .rules = bad_triangles_poison_no_others::kRules,
              .where = "the other triangles finite and within the limit"},
     .ask = bad_triangles_poison_no_others::Ask,

@@ -111,7 +111,7 @@ extern constinit const Property kDrawStaysInsideItsTarget{
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
-             .beyond_limits = true},
+             .bound_by = BoundBy::kNothing},
     .ask = draw_stays_inside_its_target::Ask,
 };
 

@@ -94,7 +94,7 @@ extern constinit const Property kNonFiniteTrianglesCoverNothing{
     .gate = {.space = Space::kEither,
              .contract = ContractNeeded::kNone,
              .judges_degenerates = true,
-             .beyond_limits = true,
+             .bound_by = BoundBy::kSizes,
              .rules = non_finite_triangles_cover_nothing::kRules,
              .where = "a vertex that is NaN, or infinite where the profile says what it covers"},
     .ask = non_finite_triangles_cover_nothing::Ask,

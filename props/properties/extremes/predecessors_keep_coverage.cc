@@ -117,8 +117,7 @@ std::vector<Predecessor> PredecessorsOf(const PlacedCase& c) {
       {OnATarget(scene, 1, 1), "on a target of one pixel"}};
   std::erase_if(all, [&](const Predecessor& p) {
     return !IsTargetSize(p.scene.width, p.scene.height, c.profile.pattern.samples()) ||
-           !c.profile.max_target.Holds(p.scene.width, p.scene.height) ||
-           !CanBeGiven(p.scene, c.profile);
+           WhyTooLarge(p.scene, c.profile) || !CanBeGiven(p.scene, c.profile);
   });
   if (all.empty()) return all;
   const std::size_t turn = static_cast<std::size_t>(scene.width) +

@@ -223,6 +223,12 @@ class PathsTest(unittest.TestCase):
         self.expect("core/a.cc", 'Read("core/absent.h");\n')
 
 
+class ReportTest(unittest.TestCase):
+    def test_a_check_that_finds_nothing_to_look_at_fails(self):
+        self.assertEqual(run_check("check_claims", {}), (1, "claims: 0 documents, 0 violations\n"))
+        self.assertEqual(run_check("check_links", {}), (1, "links: 0 documents, 0 violations\n"))
+
+
 class CountTest(unittest.TestCase):
     def count(self, status, **reports):
         with tempfile.TemporaryDirectory() as root:

@@ -4,7 +4,6 @@
 // usage: clip_cost
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "bench/family.h"
+#include "core/clock.h"
 #include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
@@ -54,13 +54,6 @@ ClipMesh CutMesh(ClipMesh mesh) {
   return mesh;
 }
 
-template <class Act>
-double Seconds(const Act& act) {
-  const auto begun = std::chrono::steady_clock::now();
-  act();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-}
-
 // Least ns a triangle of each, and the median ratio of the fourth one to the first.
 struct Costs {
   std::array<double, 5> least{1e9, 1e9, 1e9, 1e9, 1e9};
@@ -78,7 +71,7 @@ Costs Measure(const kernels::KernelScene& window, kernels::Target target, kernel
   for (double& ratio : ratios) {
     const auto time = [&](const auto& draw) {
       surface.Clear();
-      return Seconds(draw);
+      return Timed(draw).wall_seconds;
     };
     const std::array seconds{
         time([&] { kernels::Draw(target, window, surface); }), time([&] {

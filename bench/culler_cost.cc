@@ -3,7 +3,6 @@
 // usage: culler_cost: scripts/compare_culler builds and runs it
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -16,6 +15,7 @@
 #include <MaskedOcclusionCulling.h>
 
 #include "bench/family.h"
+#include "core/clock.h"
 #include "library/kernels/kernel.h"
 
 namespace rasterproof::bench {
@@ -87,21 +87,14 @@ struct Turns {
   std::array<double, kTimes> ratios{};  // ours to theirs, in pairs
 };
 
-template <class Act>
-double Seconds(const Act& act) {
-  const auto begun = std::chrono::steady_clock::now();
-  act();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-}
-
 Turns TakeTurns(Culler& culler, const kernels::KernelScene& scene, kernels::Target target,
                 kernels::Surface& surface) {
   Turns turns;
   for (double& ratio : turns.ratios) {
     culler.Clear();
-    const double theirs = Seconds([&] { culler.Draw(); });
+    const double theirs = Timed([&] { culler.Draw(); }).wall_seconds;
     surface.Clear();
-    const double ours = Seconds([&] { kernels::Draw(target, scene, surface); });
+    const double ours = Timed([&] { kernels::Draw(target, scene, surface); }).wall_seconds;
     turns.theirs = std::min(turns.theirs, theirs);
     turns.ours = std::min(turns.ours, ours);
     ratio = ours / theirs;

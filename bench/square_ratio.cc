@@ -3,7 +3,6 @@
 // usage: square_ratio
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/clock.h"
 #include "core/profile.h"
 #include "core/scene.h"
 #include "core/square_presets.h"
@@ -45,28 +45,22 @@ Scene Triangles(int across) {
   return scene;
 }
 
-template <class Draw>
-double Seconds(const Draw& draw) {
-  const auto begun = std::chrono::steady_clock::now();
-  draw();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-}
-
 // The median of pairs that ran one after the other, less what a target without triangles takes.
 double Ratio(const Scene& scene, const Profile& squares, const Profile& points, bool must) {
   Scene empty = scene;
   empty.triangles.clear();
   std::array<double, kTimes> ratios{};
   for (double& ratio : ratios) {
-    const double of_target = Seconds([&] { exact::Coverage(empty, points); });
-    const double of_points = Seconds([&] { exact::Coverage(scene, points); });
-    const double of_squares = Seconds([&] {
+    const double of_target = Timed([&] { exact::Coverage(empty, points); }).wall_seconds;
+    const double of_points = Timed([&] { exact::Coverage(scene, points); }).wall_seconds;
+    const auto cover_squares = [&] {
       if (must) {
         exact::MustCover({scene, squares});
       } else {
         exact::MayCover({scene, squares});
       }
-    });
+    };
+    const double of_squares = Timed(cover_squares).wall_seconds;
     ratio = (of_squares - of_target) / (of_points - of_target);
   }
   std::ranges::sort(ratios);

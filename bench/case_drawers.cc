@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/clock.h"
 
@@ -33,8 +34,8 @@ std::uint32_t MethodIn(BenchResult& result, const BenchMethod& method) {
   return at;
 }
 
-bool IsAsked(const Contender& contender, std::span<const std::string> names) {
-  return names.empty() || std::ranges::find(names, contender.method().name) != names.end();
+bool IsAsked(std::string_view name, std::span<const std::string> names) {
+  return names.empty() || std::ranges::find(names, name) != names.end();
 }
 
 void ForEachDrawer(std::span<const std::unique_ptr<Contender>> contenders,
@@ -43,7 +44,7 @@ void ForEachDrawer(std::span<const std::unique_ptr<Contender>> contenders,
                    const std::function<void(SceneDrawer& drawer, std::uint32_t method)>& call) {
   std::set<std::string> seen;
   for (const auto& contender : contenders) {
-    if (!IsAsked(*contender, names) || !contender->DrawsAlone() ||
+    if (!IsAsked(contender->method().name, names) || !contender->DrawsAlone() ||
         !seen.insert(contender->method().name).second)
       continue;
     if (WallSeconds() > end) {

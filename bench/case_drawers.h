@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "bench/contender.h"
 #include "bench/parameter.h"
@@ -22,8 +23,8 @@ std::uint32_t ParameterIn(BenchResult& result, const Parameter& parameter);
 /// The index of the method with the name, target and sink; it is added if there is none.
 std::uint32_t MethodIn(BenchResult& result, const BenchMethod& method);
 
-/// Whether `names` names the contender, or nobody.
-bool IsAsked(const Contender& contender, std::span<const std::string> names);
+/// Whether `names` holds the name, or none at all.
+bool IsAsked(std::string_view name, std::span<const std::string> names);
 
 /// Calls for the first contender of each name that draws triangles alone; the baseline's twin is
 /// left out, and so is what `names` does not name, unless it is empty. From `end` on, as

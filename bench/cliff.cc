@@ -2,14 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
-#include "bench/case_drawers.h"
 #include "reference/exactness.h"
 
 namespace rasterproof::bench {
@@ -93,27 +89,6 @@ class Search {
   BenchCliff cliff_;
 };
 
-bool IsChosen(const LimitOptions& options, const Parameter& parameter) {
-  return options.parameters.empty() ||
-         std::ranges::find(options.parameters, parameter.name) != options.parameters.end();
-}
-
-void AddCliffs(SceneDrawer& drawer, std::uint32_t method, const LimitOptions& options,
-               JudgedCases& cases, BenchResult& result) {
-  for (const Parameter& parameter : Parameters()) {
-    if (!IsChosen(options, parameter)) continue;
-    if (options.progress) {
-      options.progress(drawer.method().name + ": " + std::string(parameter.name));
-    }
-    std::optional<BenchCliff> cliff = FindCliff(drawer, parameter, cases);
-    if (!cliff) continue;
-    cliff->method = method;
-    cliff->parameter = ParameterIn(result, parameter);
-    cliff->proved_to = ProvedTo(drawer.method(), parameter);
-    result.cliffs.push_back(std::move(*cliff));
-  }
-}
-
 }  // namespace
 
 std::optional<BenchCliff> FindCliff(SceneDrawer& drawer, const Parameter& parameter,
@@ -134,20 +109,6 @@ double ProvedTo(const BenchMethod& method, const Parameter& parameter) {
   const double step = std::min(parameter.reach, 0.5);
   const double box = static_cast<double>(row->signs) - row->columns_before / step;
   return std::floor(box * step / parameter.reach);
-}
-
-void RunCliffs(std::span<const std::unique_ptr<Contender>> contenders, const LimitOptions& options,
-               BenchResult& result) {
-  JudgedCases cases;
-  ForEachDrawer(contenders, options.methods, options.end, "limits", result,
-                [&](SceneDrawer& drawer, std::uint32_t method) {
-                  AddCliffs(drawer, method, options, cases, result);
-                });
-}
-
-void RunCliffs(SceneDrawer& drawer, const LimitOptions& options, BenchResult& result) {
-  JudgedCases cases;
-  AddCliffs(drawer, MethodIn(result, drawer.method()), options, cases, result);
 }
 
 }  // namespace rasterproof::bench

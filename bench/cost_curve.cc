@@ -123,12 +123,8 @@ const BenchParameter kByThreads{
     .unit = "threads",
     .is_cost = true};
 
-bool IsAsked(std::string_view name, const std::vector<std::string>& names) {
-  return names.empty() || std::ranges::find(names, name) != names.end();
-}
-
 // Whether there is time for one more value; if there is none, the result says so.
-bool IsTimeFor(const std::string& parameter, double value, const CurveOptions& options,
+bool IsTimeFor(const std::string& parameter, double value, const LimitOptions& options,
                BenchResult& result) {
   const std::string number = std::to_string(std::llround(value));
   if (WallSeconds() > options.end) {
@@ -139,7 +135,7 @@ bool IsTimeFor(const std::string& parameter, double value, const CurveOptions& o
   return true;
 }
 
-void AddCosts(std::span<const std::unique_ptr<Contender>> contenders, const CurveOptions& options,
+void AddCosts(std::span<const std::unique_ptr<Contender>> contenders, const LimitOptions& options,
               const Cost& cost, const std::vector<double>& values, BenchResult& result) {
   if (!IsAsked(cost.parameter.name, options.parameters)) return;
   const std::uint32_t at = ParameterIn(result, cost.parameter);
@@ -149,8 +145,8 @@ void AddCosts(std::span<const std::unique_ptr<Contender>> contenders, const Curv
     const CostPoint point{value, FamilyOf(cost.scene_of(value), "")};
     const auto triangles = static_cast<double>(point.family.scene.triangles.size());
     for (const auto& contender : contenders) {
-      if (!IsAsked(*contender, options.methods) || contender->method().sink != cost.sink ||
-          contender->WhyNot(point.family)) {
+      if (!IsAsked(contender->method().name, options.methods) ||
+          contender->method().sink != cost.sink || contender->WhyNot(point.family)) {
         continue;
       }
       auto& points = curves[contender.get()].points;
@@ -208,7 +204,7 @@ RasterTarget TargetOf(RasterOutput output, const Scene& scene, std::vector<std::
   return target;
 }
 
-void AddThreads(const CurveOptions& options, BenchResult& result) {
+void AddThreads(const LimitOptions& options, BenchResult& result) {
   if (!IsAsked(kByThreads.name, options.parameters) || !IsAsked("library", options.methods)) return;
   const FamilyInput family = FamilyOf(ScatteredTriangles(kOfThreads), "");
   const RasterMesh mesh{{&family.vertices.front().x, 3 * family.vertices.size()}, family.indices};
@@ -255,7 +251,7 @@ Scene ScatteredTriangles(std::uint64_t triangles) {
 }
 
 void RunCostCurves(std::span<const std::unique_ptr<Contender>> contenders,
-                   const CurveOptions& options, BenchResult& result) {
+                   const LimitOptions& options, BenchResult& result) {
   AddCosts(contenders, options, kByPixels, {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6}, result);
   AddCosts(contenders, options, kByTarget, {256, 512, 1024, 2048, 4096, 8192, 16384}, result);
   AddThreads(options, result);

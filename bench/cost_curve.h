@@ -6,7 +6,7 @@
 #include <span>
 
 #include "bench/contender.h"
-#include "bench/curve.h"
+#include "bench/limits.h"
 #include "core/bench_result.h"
 #include "core/scene.h"
 
@@ -18,9 +18,14 @@ Scene ScatteredOfPixels(double pixels);
 /// So many triangles of about 20 pixels on 1024 x 1024; the first 4096 over and over.
 Scene ScatteredTriangles(std::uint64_t triangles);
 
-/// Adds the parameters "pixels" and "triangles" and their curves: RunCurves.
+/// Adds the costs, as curves, of every contender that counts by facing: seconds a triangle against
+/// pixels a triangle (1 to 10^6) and against triangles (10^2 to most_triangles, of 20 pixels); of
+/// every one that draws masks against the target's side (256 to 16384); of the library into every
+/// sink against threads (1, 2, 4, ...).
+///
+/// Domain:     as RunLimits.
 void RunCostCurves(std::span<const std::unique_ptr<Contender>> contenders,
-                   const CurveOptions& options, BenchResult& result);
+                   const LimitOptions& options, BenchResult& result);
 
 }  // namespace rasterproof::bench
 

@@ -102,15 +102,15 @@ TEST(ErrorCurve, OfTheDirectFormIsZeroWhereLittleCancels) {
   EXPECT_GT(At(points, 0x1p43).wrong, 0U);
 }
 
-TEST(RunCurves, MeasuresCostsOfWhatCountsByFacing) {
+TEST(RunCostCurves, MeasuresCostsOfWhatCountsByFacing) {
   std::vector<std::unique_ptr<Contender>> contenders;
   contenders.push_back(MakeMethodContender(*reference::FindMethod("f32-direct")));
-  CurveOptions options;
+  LimitOptions options;
   options.parameters = {"pixels", "triangles"};
   options.most_triangles = 1000;
   options.rounds = 3;
   BenchResult result;
-  RunCurves(contenders, options, result);
+  RunCostCurves(contenders, options, result);
   ASSERT_EQ(result.curves.size(), 2U);
   EXPECT_EQ(result.parameters[result.curves[0].parameter].name, "pixels");
   EXPECT_TRUE(result.parameters[result.curves[0].parameter].is_cost);
@@ -125,12 +125,12 @@ const BenchParameter& ParameterOf(const BenchResult& result, const BenchCurve& c
   return result.parameters[curve.parameter];
 }
 
-TEST(RunCurves, MeasuresMasksOverTheTargetAndTheLibraryOverThreads) {
+TEST(RunCostCurves, MeasuresMasksOverTheTargetAndTheLibraryOverThreads) {
   std::vector<std::unique_ptr<Contender>> contenders;
   for (const auto sink : {library::kernels::Sink::kMask, library::kernels::Sink::kFacing}) {
     contenders.push_back(MakeKernelContender(library::kernels::Target::kScalar, sink));
   }
-  CurveOptions options;
+  LimitOptions options;
   options.parameters = {"target", "threads"};
   options.rounds = 1;
   BenchResult result;
@@ -170,10 +170,10 @@ class Slow final : public Contender {
   std::size_t triangles_ = 0;
 };
 
-TEST(RunCurves, BeginNoDrawThatWouldTakeLong) {
+TEST(RunCostCurves, BeginNoDrawThatWouldTakeLong) {
   std::vector<std::unique_ptr<Contender>> contenders;
   contenders.push_back(std::make_unique<Slow>());
-  CurveOptions options;
+  LimitOptions options;
   options.parameters = {"triangles"};
   BenchResult result;
   RunCostCurves(contenders, options, result);

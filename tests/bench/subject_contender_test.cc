@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bench/bench.h"
-#include "bench/cliff.h"
 #include "bench/contender.h"
 #include "bench/errors.h"
+#include "bench/limits.h"
 #include "bench/scene_drawer.h"
 #include "core/call_end.h"
 #include "core/clock.h"
@@ -169,14 +169,14 @@ TEST(RunFamily, LeavesOutAUsersSubjectThatBreaksDown) {
 }
 
 // In a whole run limits come first: they are the contender's, under its own name.
-TEST(RunCliffs, AddsNoSecondMethodForAUsersSubject) {
+TEST(RunLimits, AddsNoSecondMethodForAUsersSubject) {
   Scripted nothing;
   const auto contender = MakeSubjectContender(nothing);
   BenchResult result;
   result.methods.push_back(contender->method());
   LimitOptions options;
   options.parameters = {"grid-8"};
-  RunCliffs(*DrawerOf(nothing, contender->method()), options, result);
+  RunLimits(*DrawerOf(nothing, contender->method()), options, result);
   EXPECT_EQ(result.methods.size(), 1U);
   ASSERT_EQ(result.cliffs.size(), 1U);
   EXPECT_EQ(result.cliffs.front().method, 0U);

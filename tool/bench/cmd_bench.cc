@@ -21,12 +21,11 @@
 #include <vector>
 
 #include "bench/bench.h"
-#include "bench/cliff.h"
 #include "bench/contender.h"
 #include "bench/cost_curve.h"
-#include "bench/curve.h"
 #include "bench/family.h"
 #include "bench/fingerprint.h"
+#include "bench/limits.h"
 #include "bench/parameter.h"
 #include "bench/scene_drawer.h"
 #include "bench/stages.h"
@@ -224,16 +223,6 @@ std::unique_ptr<Subject> PluginOf(const std::string& file) {
   return std::move(loaded.subject);
 }
 
-// The subjects that run in their own processes: commands, and outside subjects by name.
-std::vector<std::string> ProgramNames(const BenchOptions& options) {
-  std::vector<std::string> names;
-  std::ranges::copy_if(options.subjects, std::back_inserter(names), IsOutside);
-  for (const std::string& command : options.programs) {
-    names.push_back(std::string(kExecPrefix) + command);
-  }
-  return names;
-}
-
 // All contenders of a run, first the project's, then the user's.
 struct Contenders {
   std::vector<std::unique_ptr<Subject>> libraries;
@@ -293,18 +282,14 @@ void AddLimits(const Contenders& contenders, double end, Progress& progress, Ben
   bench::LimitOptions limits;
   limits.end = end;
   limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
-  bench::CurveOptions curves;
-  curves.end = end;
-  curves.progress = limits.progress;
   if (result.setting.is_quick) {
     for (const bench::Parameter& parameter : bench::Parameters()) {
-      curves.parameters.emplace_back(parameter.name);
+      limits.parameters.emplace_back(parameter.name);
     }
   } else {
-    curves.most_triangles = 1'000'000;
+    limits.most_triangles = 1'000'000;
   }
-  bench::RunCliffs(contenders.Own(), limits, result);
-  bench::RunCurves(contenders.Own(), curves, result);
+  bench::RunLimits(contenders.Own(), limits, result);
   for (std::size_t k = 0; k < contenders.outside.size(); ++k) {
     const bench::Contender& contender = *contenders.list[contenders.own + k];
     const double one = SecondsOfAsking(*contenders.outside[k]);
@@ -314,8 +299,7 @@ void AddLimits(const Contenders& contenders, double end, Progress& progress, Ben
       continue;
     }
     const auto drawer = bench::DrawerOf(*contenders.outside[k], contender.method());
-    bench::RunCliffs(*drawer, limits, result);
-    bench::RunCurves(*drawer, curves, result);
+    bench::RunLimits(*drawer, limits, result);
   }
 }
 
@@ -406,15 +390,15 @@ int Growth(const BenchOptions& options) {
   result.setting.load_before = LoadOfMachine();
   {
     Progress progress;
-    bench::CurveOptions curves;
-    curves.parameters = {"target", "threads", "triangles"};
-    curves.methods = options.subjects;
-    curves.most_triangles = 10'000'000;
-    curves.end = WallSeconds() + options.budget;
-    curves.progress = [&](const std::string& stage) { progress.Stage(stage); };
+    bench::LimitOptions limits;
+    limits.parameters = {"target", "threads", "triangles"};
+    limits.methods = options.subjects;
+    limits.most_triangles = 10'000'000;
+    limits.end = WallSeconds() + options.budget;
+    limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
     const auto contenders =
         bench::OwnContenders(bench::ContenderChoice::kQuick, TargetOf(options.target));
-    bench::RunCostCurves(contenders, curves, result);
+    bench::RunCostCurves(contenders, limits, result);
   }
   result.setting.load_after = LoadOfMachine();
   if (!options.json.empty()) io::WriteFile(options.json, report::BenchToJson(result));
@@ -432,6 +416,15 @@ bool LacksAUsers(const BenchResult& result) {
 }
 
 }  // namespace
+
+std::vector<std::string> ProgramNames(const BenchOptions& options) {
+  std::vector<std::string> names;
+  std::ranges::copy_if(options.subjects, std::back_inserter(names), IsOutside);
+  for (const std::string& command : options.programs) {
+    names.push_back(std::string(kExecPrefix) + command);
+  }
+  return names;
+}
 
 double LoadOfMachine() {
   double load = std::numeric_limits<double>::quiet_NaN();

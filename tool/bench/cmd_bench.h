@@ -35,6 +35,9 @@ struct BenchOptions {
 /// How many processes want a processor, a mean over a minute; NaN where the system does not say.
 double LoadOfMachine();
 
+/// The subjects that run in their own processes: outside subjects by name, and commands.
+std::vector<std::string> ProgramNames(const BenchOptions& options);
+
 int RunBench(const BenchOptions& options);
 
 }  // namespace rasterproof::tool

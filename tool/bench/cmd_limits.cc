@@ -8,9 +8,8 @@
 #include <vector>
 
 #include "bench/case_drawers.h"
-#include "bench/cliff.h"
 #include "bench/contender.h"
-#include "bench/curve.h"
+#include "bench/limits.h"
 #include "core/bench_result.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
@@ -59,10 +58,7 @@ std::vector<std::string> OutsideNames(const BenchOptions& options) {
   std::vector<std::string> names;
   for (const std::string& file : options.plugins)
     names.push_back(std::string(kPluginPrefix) + file);
-  for (const std::string& program : options.programs) {
-    names.push_back(std::string(kExecPrefix) + program);
-  }
-  std::ranges::copy_if(options.subjects, std::back_inserter(names), IsOutside);
+  std::ranges::copy(ProgramNames(options), std::back_inserter(names));
   return names;
 }
 
@@ -77,16 +73,11 @@ void PrintLimits(std::span<const std::unique_ptr<bench::Contender>> contenders,
     bench::LimitOptions limits;
     limits.methods = options.subjects;
     limits.progress = [&](const std::string& stage) { progress.Stage(stage); };
-    bench::CurveOptions curves;
-    curves.methods = options.subjects;
-    curves.progress = limits.progress;
-    const bool with_curves = !options.json.empty();
+    limits.with_curves = !options.json.empty();
     const std::vector<std::string> outside = OutsideNames(options);
     std::erase_if(limits.methods, IsOutside);
-    std::erase_if(curves.methods, IsOutside);
     if (outside.empty() || !limits.methods.empty()) {
-      bench::RunCliffs(contenders, limits, result);
-      if (with_curves) bench::RunCurves(contenders, curves, result);
+      bench::RunLimits(contenders, limits, result);
       for (const auto& contender : contenders) {
         models.Keep(bench::MethodIn(result, contender->method()), contender->model());
       }
@@ -95,8 +86,7 @@ void PrintLimits(std::span<const std::unique_ptr<bench::Contender>> contenders,
       const std::unique_ptr<Subject> subject = MakeSubject(name);
       RequireSamples(subject->Info());
       const auto drawer = bench::DrawerOf(*subject);
-      bench::RunCliffs(*drawer, limits, result);
-      if (with_curves) bench::RunCurves(*drawer, curves, result);
+      bench::RunLimits(*drawer, limits, result);
       models.Keep(bench::MethodIn(result, drawer->method()), drawer->model());
     }
   }

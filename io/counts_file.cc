@@ -13,6 +13,7 @@
 #include "core/drawing.h"
 #include "core/error.h"
 #include "core/quoted.h"
+#include "core/sample_text.h"
 #include "io/image.h"
 #include "io/netpbm.h"
 #include "io/output.h"
@@ -36,11 +37,6 @@ std::array<std::uint8_t, 3> ColourFrom(const std::string& text) {
 
 std::size_t PixelsOf(const CountsFormat& format) {
   return CoverageCounts::Size(format.width, format.height, 1);
-}
-
-std::string PlaceIn(const std::string& path, std::size_t k, std::size_t row_length) {
-  return path + ": column " + std::to_string(k % row_length) + " row " +
-         std::to_string(k / row_length);
 }
 
 // Bytes alone, which are what their number says.
@@ -168,11 +164,9 @@ std::vector<std::int32_t> IdsFrom(const std::vector<std::uint32_t>& numbers,
                                   const std::string& path, const CountsFormat& format) {
   std::vector<std::int32_t> ids;
   ids.reserve(numbers.size());
-  const std::size_t row_length =
-      static_cast<std::size_t>(format.width) * static_cast<std::size_t>(format.samples);
   for (const std::uint32_t number : numbers) {
     if (number > format.triangles) {
-      throw InputError(PlaceIn(path, ids.size(), row_length),
+      throw InputError(path + ": " + SampleText(ids.size(), format.width, format.samples),
                        "the id is " + std::to_string(number) + ", and the scene has " +
                            std::to_string(format.triangles) + " triangles",
                        "write 1 + the triangle's number, from 0, and 0 where there is none");
@@ -260,7 +254,7 @@ std::vector<std::uint32_t> CoveredInPicture(std::string_view bytes, const std::s
   std::vector<std::uint32_t> covered;
   const auto channels = static_cast<std::size_t>(levels.channels);
   for (std::size_t at = 0; at < levels.values.size(); at += channels) {
-    const std::string place = PlaceIn(path, covered.size(), static_cast<std::size_t>(width));
+    const std::string place = path + ": " + PixelText(covered.size(), width);
     for (std::size_t c = 1; c < channels; ++c) {
       if (levels.values[at + c] == levels.values[at]) continue;
       throw InputError(place, "it has a colour", "draw white triangles on black");
@@ -281,7 +275,7 @@ std::vector<std::uint32_t> ReadCovered(const std::string& path, int width, int h
   std::vector<std::uint32_t> covered = FromText(bytes, path, format).front;
   for (std::size_t k = 0; k < covered.size(); ++k) {
     if (covered[k] <= static_cast<std::uint32_t>(samples)) continue;
-    throw InputError(PlaceIn(path, k, static_cast<std::size_t>(width)),
+    throw InputError(path + ": " + PixelText(k, width),
                      std::to_string(covered[k]) + " samples are covered, and a pixel has " +
                          std::to_string(samples),
                      "give how many of a pixel's samples are covered, or leave out --resolved");

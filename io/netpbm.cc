@@ -11,6 +11,7 @@
 
 #include "core/error.h"
 #include "core/quoted.h"
+#include "core/sample_text.h"
 
 namespace rasterproof::io {
 namespace {
@@ -51,8 +52,9 @@ class NetpbmReader {
                            ", and the format has 1 to 65535",
                        "write 255 or 65535");
     }
-    row_length_ = static_cast<std::size_t>(width) * static_cast<std::size_t>(levels.channels);
-    const std::size_t size = row_length_ * static_cast<std::size_t>(height);
+    width_ = width;
+    const std::size_t size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
+                             static_cast<std::size_t>(levels.channels);
     if (kind == '2' || kind == '3') {
       ReadAsText(size, levels);
     } else {
@@ -94,8 +96,7 @@ class NetpbmReader {
   }
 
   std::string PlaceOf(std::size_t k, int channels) const {
-    const std::size_t column = k % row_length_ / static_cast<std::size_t>(channels);
-    return "column " + std::to_string(column) + " row " + std::to_string(k / row_length_);
+    return PixelText(k / static_cast<std::size_t>(channels), width_);
   }
 
   void Add(std::uint32_t level, Levels& levels) const {
@@ -156,7 +157,7 @@ class NetpbmReader {
 
   std::string_view rest_;
   const std::string& place_;
-  std::size_t row_length_ = 1;  // levels
+  int width_ = 1;
 };
 
 std::string HeaderText(char kind, int width, int height, std::uint32_t greatest) {

@@ -20,6 +20,7 @@
 #include "core/float_environment.h"
 #include "core/own_precision.h"
 #include "core/profile.h"
+#include "core/sample_text.h"
 #include "core/scene.h"
 #include "core/subject_info.h"
 #include "core/target_size.h"
@@ -179,39 +180,25 @@ CoverageCounts ModelOf(const Scene& scene, const Profile& profile) {
   return exact::Coverage(placed);
 }
 
-std::string PlaceText(std::size_t sample, const Scene& scene, std::size_t samples) {
-  const std::size_t pixel = sample / samples;
-  const auto width = static_cast<std::size_t>(scene.width);
-  return "column " + std::to_string(pixel % width) + " row " + std::to_string(pixel / width) +
-         (samples > 1 ? " sample " + std::to_string(sample % samples) : "");
-}
-
-std::string CountText(std::int64_t least, std::int64_t most) {
-  return least == most ? std::to_string(most)
-                       : std::to_string(least) + " to " + std::to_string(most);
-}
-
-std::string WhyNotLegal(const legal::JointVerdict& verdict, const Scene& scene,
-                        std::size_t samples) {
+std::string WhyNotLegal(const legal::JointVerdict& verdict, const Scene& scene, int samples) {
   if (!verdict.core || verdict.core->requirements.empty()) return "no legal model explains it";
   const legal::Core& core = *verdict.core;
   const legal::Requirement& first = core.requirements.front();
-  const std::string at = PlaceText(first.sample, scene, samples);
+  const std::string at = SampleText(first.sample, scene.width, samples);
   if (core.requirements.size() > 1) {
     return "no legal model explains " + std::to_string(core.requirements.size()) +
            " samples together; the first: " + at;
   }
   return at + ": covered " + std::to_string(first.least) +
          (first.least == first.most ? " times" : " times or more") + "; legal models cover it " +
-         CountText(first.legal_least, first.legal_most) + " times";
+         RangeText(first.legal_least, first.legal_most) + " times";
 }
 
 // "2", "1 to 3", "1 or more".
-std::string RangeText(const legal::Allowed& allowed, std::size_t s) {
+std::string AllowedText(const legal::Allowed& allowed, std::size_t s) {
   const std::uint32_t most = allowed.Most(s);
-  std::string least = std::to_string(allowed.Least(s));
-  if (most == allowed.Least(s)) return least;
-  return least + (most == legal::Allowed::kUnbounded ? " or more" : " to " + std::to_string(most));
+  if (most == legal::Allowed::kUnbounded) return std::to_string(allowed.Least(s)) + " or more";
+  return RangeText(allowed.Least(s), most);
 }
 
 // Judges a profile that names every vertex's place, where legal::JudgeJointly() is not for the
@@ -221,9 +208,9 @@ std::int32_t JudgeByPlaces(const Scene& scene, const legal::Allowed& allowed,
   const std::vector<std::size_t> wrong = allowed.Wrong(drawn);
   if (wrong.empty()) return RASTERPROOF_ORACLE_LEGAL;
   const std::size_t s = wrong.front();
-  SetMessage(PlaceText(s, scene, static_cast<std::size_t>(drawn.samples)) + ": covered " +
+  SetMessage(SampleText(s, scene.width, drawn.samples) + ": covered " +
              std::to_string(drawn.Count(s)) + " times; the model covers it " +
-             RangeText(allowed, s) + " times");
+             AllowedText(allowed, s) + " times");
   return RASTERPROOF_ORACLE_NOT_LEGAL;
 }
 
@@ -245,7 +232,7 @@ std::int32_t Judge(const Scene& scene, const Profile& profile, const CoverageCou
     case legal::Legality::kLegal:
       return RASTERPROOF_ORACLE_LEGAL;
     case legal::Legality::kNotLegal:
-      SetMessage(WhyNotLegal(verdict, scene, static_cast<std::size_t>(drawn.samples)));
+      SetMessage(WhyNotLegal(verdict, scene, drawn.samples));
       return RASTERPROOF_ORACLE_NOT_LEGAL;
     case legal::Legality::kNotJudged:
       break;

@@ -312,8 +312,7 @@ int ExplainDrawing(const ExplainOptions& options, io::CaseFile file) {
   Verdict verdict;
   verdict.message = LegalityName(found.legality) + ": profile " + c.profile.name;
   if (found.core) {
-    const auto samples = static_cast<std::size_t>(observed.samples);
-    verdict.message += "; " + CoreLine(*found.core, c.scene, samples);
+    verdict.message += "; " + CoreLine(*found.core, c.scene, observed.samples);
     verdict.witness = props::WitnessAtIndex(observed, found.core->requirements.front().sample);
   }
   std::string again = "rasterproof explain " + ShellWord(options.choice.path);

@@ -207,8 +207,7 @@ PropertyResult JudgeJointly(const SubjectInfo& info, const MeasuredScene& measur
         break;
       case legal::Legality::kNotLegal:
         result.outcome = Outcome::kViolated;
-        result.message = CoreLine(*verdict.core, scene,
-                                  static_cast<std::size_t>(info.profile.pattern.samples()));
+        result.message = CoreLine(*verdict.core, scene, info.profile.pattern.samples());
         break;
       case legal::Legality::kNotJudged:
         result.outcome = Outcome::kNotExercised;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/sample_text.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/image.h"
@@ -43,10 +44,6 @@ std::string Letters(const legal::Decided& decided) {
     text += (s + 1) % row_length == 0 ? '\n' : ' ';
   }
   return text;
-}
-
-std::string Range(int least, int most) {
-  return least == most ? std::to_string(least) : fmt::format("{} to {}", least, most);
 }
 
 // A list of each triangle's samples as runs, which ends where it would grow beyond reading.
@@ -227,19 +224,14 @@ int TellDecided(const LegalOptions& options) {
     // Of a triangle alone a sample may be open that all of them together decide.
     if (decided.IsDecided(why.sample)) continue;
     if (told++ == kMostTold) break;
-    const std::size_t pixel = why.sample / static_cast<std::size_t>(decided.samples);
-    const auto width = static_cast<std::size_t>(decided.width);
-    Tell(fmt::format(
-        "column {} row {}{}: {} triangles; open for triangle {}{}\n", pixel % width, pixel / width,
-        decided.samples == 1
-            ? ""
-            : fmt::format(" sample {}", why.sample % static_cast<std::size_t>(decided.samples)),
-        Range(decided.Least(why.sample), decided.Most(why.sample)), why.triangle,
-        why.edge < 0 ? ", of which nothing is stated"
-        : decided.step > 0
-            ? fmt::format(", {:.3g} steps of the grid from its edge {}",
-                          why.distance / decided.step, why.edge)
-            : fmt::format(", {:.3g} pixels from its edge {}", why.distance, why.edge)));
+    Tell(fmt::format("{}: {} triangles; open for triangle {}{}\n",
+                     SampleText(why.sample, decided.width, decided.samples),
+                     RangeText(decided.Least(why.sample), decided.Most(why.sample)), why.triangle,
+                     why.edge < 0       ? ", of which nothing is stated"
+                     : decided.step > 0 ? fmt::format(", {:.3g} steps of the grid from its edge {}",
+                                                      why.distance / decided.step, why.edge)
+                                        : fmt::format(", {:.3g} pixels from its edge {}",
+                                                      why.distance, why.edge)));
   }
   return kExitHolds;
 }

@@ -52,8 +52,7 @@ std::string Text(const Judgement& judgement, std::optional<std::uint64_t> open,
         FamilyText(verdict.family, profile), verdict.components, verdict.largest_component,
         verdict.not_judged);
   }
-  if (verdict.core)
-    text += CoreText(*verdict.core, scene, static_cast<std::size_t>(profile.pattern.samples()));
+  if (verdict.core) text += CoreText(*verdict.core, scene, profile.pattern.samples());
   text += BrokenRuleLines(judgement.broken, profile);
   for (const std::string& hint : hints) text += "hint: " + hint + "\n";
   return text;

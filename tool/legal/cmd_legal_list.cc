@@ -121,7 +121,7 @@ ListLine JudgeListed(const ListedDrawing& listed, SubjectsByProfile& subjects,
   const auto [verdict, compared, broken] = JudgeDrawing(judged, drawn);
   line.not_judged = verdict.not_judged;
   line.text = fmt::format("profile {}; {}", profile.name, SearchText(verdict, profile));
-  const auto samples = static_cast<std::size_t>(profile.pattern.samples());
+  const int samples = profile.pattern.samples();
   if (verdict.core) {
     line.text =
         fmt::format("profile {}; {}; {}", profile.name, CoreLine(*verdict.core, scene, samples),

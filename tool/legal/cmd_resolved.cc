@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/sample_text.h"
 #include "fmt/format.h"
 #include "io/case_file.h"
 #include "io/counts_file.h"
@@ -50,12 +51,6 @@ constexpr std::string_view kCompared =
     "covered samples of each pixel by itself: they need not share one model, and double coverage "
     "is not seen";
 
-std::string RangeWords(const PixelRange& range, int samples) {
-  return range.least == range.most
-             ? fmt::format("{} of {}", range.least, samples)
-             : fmt::format("{} to {} of {}", range.least, range.most, samples);
-}
-
 std::string TextOf(const Found& found, const std::vector<PixelRange>& ranges,
                    const std::vector<std::uint32_t>& seen, const legal::Decided& decided,
                    const Profile& profile) {
@@ -73,12 +68,11 @@ std::string TextOf(const Found& found, const std::vector<PixelRange>& ranges,
   }
   text += fmt::format("compared: {}\n", kCompared);
   constexpr std::size_t kMostTold = 8;
-  const auto width = static_cast<std::size_t>(decided.width);
   for (std::size_t k = 0; k < std::min(found.wrong.size(), kMostTold); ++k) {
     const std::size_t pixel = found.wrong[k];
-    text += fmt::format("column {} row {}: {} of {} samples are covered, in legal models {}\n",
-                        pixel % width, pixel / width, seen[pixel], decided.samples,
-                        RangeWords(ranges[pixel], decided.samples));
+    text += fmt::format("{}: {} of {} samples are covered, in legal models {} of {}\n",
+                        PixelText(pixel, decided.width), seen[pixel], decided.samples,
+                        RangeText(ranges[pixel].least, ranges[pixel].most), decided.samples);
   }
   return text;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/error.h"
+#include "core/sample_text.h"
 #include "core/subject_info.h"
 #include "core/tie_rule.h"
 #include "fmt/format.h"
@@ -35,11 +36,6 @@ std::string SeenOf(const legal::Requirement& seen) {
     return fmt::format("{} front and {} back", (*seen.by_side)[0], (*seen.by_side)[1]);
   return seen.least == seen.most ? fmt::format("{}", seen.least)
                                  : fmt::format("{} or more", seen.least);
-}
-
-// "2", "1 to 3".
-std::string NumbersText(int least, int most) {
-  return least == most ? fmt::format("{}", least) : fmt::format("{} to {}", least, most);
 }
 
 // The triangles that may be seen there: "7 or 8", "none or 7".
@@ -71,13 +67,13 @@ std::string RequirementText(const legal::Requirement& seen, std::string_view leg
       fmt::format("{} of triangles {} cover it", SeenOf(seen), fmt::join(seen.triangles, ", "));
   if (seen.legal_by_side) {
     const auto [front, back] = *seen.legal_by_side;
-    text += fmt::format("; {}: {} front and {} back", legal, NumbersText(front.least, front.most),
-                        NumbersText(back.least, back.most));
+    text += fmt::format("; {}: {} front and {} back", legal, RangeText(front.least, front.most),
+                        RangeText(back.least, back.most));
   } else if (seen.legal_least == seen.legal_most) {
     text += fmt::format("; in every legal model {} {}", seen.legal_most,
                         seen.legal_most == 1 ? "does" : "do");
   } else {
-    text += fmt::format("; {}: {}", legal, NumbersText(seen.legal_least, seen.legal_most));
+    text += fmt::format("; {}: {}", legal, RangeText(seen.legal_least, seen.legal_most));
   }
   return text + "\n";
 }
@@ -102,12 +98,6 @@ std::string HeadOf(const legal::Core& core) {
       "a minimal set of {} samples that no legal model explains together; without "
       "any of them one does:\n",
       samples);
-}
-
-std::string PlaceText(std::size_t sample, const Scene& scene, std::size_t samples) {
-  const std::size_t pixel = sample / samples;
-  const auto width = static_cast<std::size_t>(scene.width);
-  return fmt::format("column {} row {}", pixel % width, pixel / width);
 }
 
 }  // namespace
@@ -215,13 +205,12 @@ Profile LegalProfileOf(const LegalOptions& options, const io::CaseFile& file,
 void PartFacings(const std::vector<std::uint32_t>& fronts, const std::string& place,
                  const Scene& scene, OneCall& drawn) {
   CoverageCounts& counts = drawn.drawing.counts;
-  const auto samples = static_cast<std::size_t>(counts.samples);
   for (std::size_t s = 0; s < fronts.size(); ++s) {
     const bool is_shown = !drawn.has_counts && drawn.drawing.primitive_ids[s] != kNoPrimitive;
     const std::uint32_t seen = drawn.has_counts ? counts.front[s] : is_shown ? 1 : 0;
     if (fronts[s] > seen) {
       throw InputError(
-          place + ": " + PlaceText(s, scene, samples),
+          place + ": " + SampleText(s, scene.width, counts.samples),
           fmt::format("{} front-facing, but the image shows {} there", fronts[s], seen),
           drawn.has_counts ? "write how many of the image's count are front-facing"
                            : "write 1 where the image's triangle is front-facing, else 0");
@@ -378,14 +367,14 @@ Judgement JudgeDrawing(const JudgedScene& judged, const OneCall& drawn) {
   return with_rules(std::move(verdict), compared);
 }
 
-std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples) {
+std::string CoreText(const legal::Core& core, const Scene& scene, int samples) {
   constexpr std::size_t kMostTold = 8;
   std::string text = HeadOf(core);
   const auto& told = core.wrong.empty() ? core.requirements : core.wrong;
   const std::size_t all = std::max(told.size(), core.wrong_by_themselves);
   const std::size_t lines = std::min(told.size(), kMostTold);
   for (std::size_t k = 0; k < lines; ++k) {
-    text += "  " + PlaceText(told[k].sample, scene, samples) + ": " +
+    text += "  " + SampleText(told[k].sample, scene.width, samples) + ": " +
             RequirementText(told[k], LegalValuesOf(core));
   }
   if (all > lines) text += fmt::format("  and {} more\n", all - lines);
@@ -400,9 +389,9 @@ std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t sa
   return text;
 }
 
-std::string CoreLine(const legal::Core& core, const Scene& scene, std::size_t samples) {
+std::string CoreLine(const legal::Core& core, const Scene& scene, int samples) {
   const legal::Requirement& first = core.requirements.front();
-  std::string line = HeadOf(core) + PlaceText(first.sample, scene, samples) + ": " +
+  std::string line = HeadOf(core) + SampleText(first.sample, scene.width, samples) + ": " +
                      RequirementText(first, LegalValuesOf(core));
   line.pop_back();
   std::ranges::replace(line, '\n', ' ');

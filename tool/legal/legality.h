@@ -87,9 +87,9 @@ OneCall DrawInOneCall(Subject& subject, const Scene& scene);
 
 /// Why no legal model explains what was seen: a head, a line for each of the first samples and
 /// vertices.
-std::string CoreText(const legal::Core& core, const Scene& scene, std::size_t samples);
+std::string CoreText(const legal::Core& core, const Scene& scene, int samples);
 /// The head and the first sample, in one line.
-std::string CoreLine(const legal::Core& core, const Scene& scene, std::size_t samples);
+std::string CoreLine(const legal::Core& core, const Scene& scene, int samples);
 
 }  // namespace rasterproof::tool
 

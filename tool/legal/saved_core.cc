@@ -81,9 +81,8 @@ std::string SaveCore(const LegalOptions& options, const JudgedScene& judged, con
   } else {
     file.subject = "exact";  // explain shows what the canonical model has there
     file.property.clear();
-    file.value.origin +=
-        (options.image.empty() ? "" : " as " + options.image + " shows it") + "; " +
-        CoreText(core, judged.scene, static_cast<std::size_t>(judged.profile.pattern.samples()));
+    file.value.origin += (options.image.empty() ? "" : " as " + options.image + " shows it") +
+                         "; " + CoreText(core, judged.scene, judged.profile.pattern.samples());
     file.drawing = NumbersOf(drawn);
     again.profile.clear();  // the case states it
   }

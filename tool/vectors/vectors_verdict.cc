@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/sample_text.h"
 #include "fmt/format.h"
 #include "fmt/ranges.h"
 #include "report/vectors_json.h"
@@ -18,12 +19,7 @@ namespace {
 using Samples = std::vector<std::size_t>;
 
 std::string SamplePlace(const TestVector& vector, std::size_t sample) {
-  const auto samples = static_cast<std::size_t>(vector.pattern.samples());
-  const auto width = static_cast<std::size_t>(vector.scene.width);
-  const std::size_t pixel = sample / samples;
-  std::string text = fmt::format("column {} row {}", pixel % width, pixel / width);
-  if (samples != 1) text += fmt::format(" sample {}", sample % samples);
-  return text;
+  return SampleText(sample, vector.scene.width, vector.pattern.samples());
 }
 
 std::string WhoRequires(const std::vector<std::string>& clauses) {

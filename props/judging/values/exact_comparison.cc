@@ -14,42 +14,6 @@ using exact::Rational;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// An unevaluated sum high + low with |low| <= ulp(high) / 2.
-struct Pair {
-  double high;
-  double low;
-};
-
-// Knuth's TwoSum: exact unless it overflows.
-Pair TwoSum(double x, double y) {
-  const double sum = x + y;
-  const double from_y = sum - x;
-  return {sum, (x - (sum - from_y)) + (y - from_y)};
-}
-
-Pair TwoProduct(double x, double y) {
-  const double product = x * y;
-  return {product, std::fma(x, y, -product)};
-}
-
-// With differences and products that lost nothing, E itself is first - second.
-bool IsExactly(double observed, Point2 a, Point2 b, Point2 p) {
-  const Pair px = TwoSum(p.x, -a.x);
-  const Pair py = TwoSum(p.y, -a.y);
-  const Pair dx = TwoSum(b.x, -a.x);
-  const Pair dy = TwoSum(b.y, -a.y);
-  if (px.low != 0 || py.low != 0 || dx.low != 0 || dy.low != 0) return false;
-  const Pair first = TwoProduct(px.high, dy.high);
-  const Pair second = TwoProduct(py.high, dx.high);
-  // fma's residual is exact only if the product is far above the subnormals, or an exact zero.
-  const auto lossless = [](const Pair& product, double x, double y) {
-    return product.low == 0 && (std::fabs(product.high) >= 0x1p-900 || x == 0 || y == 0);
-  };
-  if (!lossless(first, px.high, dy.high) || !lossless(second, py.high, dx.high)) return false;
-  const Pair difference = TwoSum(first.high, -second.high);
-  return difference.low == 0 && difference.high == observed;
-}
-
 }  // namespace
 
 Distance CompareWithExact(double observed, const Rational& exact, const Rational& bound) {
@@ -63,9 +27,9 @@ Distance CompareWithExact(double observed, const Rational& exact, const Rational
 std::optional<Distance> CompareWithEstimate(double observed, const Estimate& estimate,
                                             double bound) {
   // What the pair of the estimate leaves of the observed value takes two roundings.
-  const Pair rest = TwoSum(observed, -estimate.high());
-  const double low = rest.low - estimate.low();
-  const double distance = std::fabs(rest.high + low);
+  const Estimate rest = Estimate::Difference(observed, estimate.high());
+  const double low = rest.low() - estimate.low();
+  const double distance = std::fabs(rest.high() + low);
   const double slack =
       estimate.error() + 2 * rounding_epsilon<double>() * (distance + std::fabs(low));
   if (!(distance + slack <= bound * (1 - 4 * rounding_epsilon<double>()))) return std::nullopt;
@@ -74,7 +38,6 @@ std::optional<Distance> CompareWithEstimate(double observed, const Estimate& est
 
 Distance CompareWithEdge(double observed, Point2 a, Point2 b, Point2 p, double bound) {
   if (!std::isfinite(observed)) return {false, kInfinity};
-  if (IsExactly(observed, a, b, p)) return {true, 0};
   if (const auto near = CompareWithEstimate(observed, EstimatedEdge(a, b, p), bound)) return *near;
   return CompareWithExact(observed, exact::EdgeValue(a, b, p), bound);
 }

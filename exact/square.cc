@@ -7,8 +7,8 @@
 #include <optional>
 #include <utility>
 
-#include "core/tie_rule.h"
 #include "exact/crossing.h"
+#include "exact/edge.h"
 #include "exact/row_edge.h"
 #include "exact/sample_frame.h"
 #include "exact/signs.h"
@@ -202,78 +202,6 @@ void ForEachSquareSpan(const std::array<Point2, 3>& v, const SquareRegion& regio
     if (columns.first < columns.last) row(r, columns);
   }
   ThreadTiers().filter += certain;
-}
-
-namespace {
-
-// The square's corners: the floor corner, which a half-open square has, first.
-std::array<Point2, 4> Corners(const Sides& sides, const SquareFrame& frame, int i, int r) {
-  const double low = i + sides.low;
-  const double high = i + sides.high;
-  double floor = r + sides.top;
-  double ceiling = r + sides.bottom;
-  if (frame.y_up) std::swap(floor, ceiling);
-  return {Point2{low, floor}, Point2{high, floor}, Point2{low, ceiling}, Point2{high, ceiling}};
-}
-
-// Whether [a, b] meets the square's [floor, ceiling] along one axis. `up`: +1 if floor < ceiling.
-bool MeetsAlong(double a, double b, double floor, double ceiling, const SquareRegion& region,
-                Closure shape) {
-  if (floor > ceiling) return MeetsAlong(-b, -a, -floor, -ceiling, region, shape);
-  const bool closed = shape == Closure::kClosed;
-  const bool floor_in = closed && region.square != Closure::kOpen;
-  const bool ceiling_in = closed && region.square == Closure::kClosed;
-  return (b > floor || (b == floor && floor_in)) && (a < ceiling || (a == ceiling && ceiling_in));
-}
-
-// The largest or least of the signs at the corners, and the meaning of a zero among them.
-bool PassesEdge(const std::array<int, 4>& signs, const SquareRegion& region, Closure shape) {
-  const auto [least, largest] = std::ranges::minmax(signs);
-  const bool on_floor_corner = signs[0] == 0;
-  const Closure square = region.square;
-  if (region.relation == SquareRelation::kIntersects) {
-    if (largest != 0) return largest > 0;
-    if (shape != Closure::kClosed || square == Closure::kOpen) return false;
-    return square == Closure::kClosed || on_floor_corner;
-  }
-  if (least != 0) return least > 0;
-  if (shape == Closure::kClosed || square == Closure::kOpen) return true;
-  return square == Closure::kHalfOpen && (shape == Closure::kHalfOpen || !on_floor_corner);
-}
-
-}  // namespace
-
-bool IsSquareCovered(const std::array<Point2, 3>& v, const SquareRegion& region,
-                     const SquareFrame& frame, int i, int r, Decider decider) {
-  const std::array<Point2, 4> q = Corners(Sides(region, frame), frame, i, r);
-  const int facing = EdgeSign(v[0], v[1], v[2], decider);
-  const bool meets = region.relation == SquareRelation::kIntersects;
-  const Closure shape = facing == 0 ? Closure::kClosed : region.shape;
-  const Box box(v);
-  if (facing == 0 && !meets) return false;
-  if (meets && (facing == 0 || region.growth == SquareGrowth::kSwept) &&
-      !(MeetsAlong(box.least.x, box.most.x, q[0].x, q[3].x, region, shape) &&
-        MeetsAlong(box.least.y, box.most.y, q[0].y, q[3].y, region, shape))) {
-    return false;
-  }
-  // A closed square lies in a half-open set if its corners do.
-  const bool shifted = !meets && region.square == Closure::kClosed && shape == Closure::kHalfOpen;
-  const TieRule floor_in{+1, static_cast<std::int8_t>(frame.y_up ? -1 : +1), false, false, false};
-  for (unsigned k = 0; k < 3; ++k) {
-    const Point2 a = v[k];
-    const Point2 b = v[(k + 1) % 3];
-    if (a == b) continue;
-    for (const int inner : {+1, -1}) {
-      if (facing != 0 && inner != facing) continue;
-      std::array<int, 4> signs{};
-      for (unsigned c = 0; c < 4; ++c) {
-        signs[c] = inner * (shifted ? ShiftedEdgeSign(a, b, q[c], floor_in, decider)
-                                    : EdgeSign(a, b, q[c], decider));
-      }
-      if (!PassesEdge(signs, region, shape)) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace rasterproof::exact

@@ -8,7 +8,6 @@
 #include "core/draw_options.h"
 #include "core/square_rule.h"
 #include "core/vertex.h"
-#include "exact/edge.h"
 
 namespace rasterproof::exact {
 
@@ -45,13 +44,6 @@ using SquareRow = std::function<void(int row, Columns columns)>;
 /// Source:     separating axes of convex polygons: docs/decisions/oracle.md.
 void ForEachSquareSpan(const std::array<Point2, 3>& v, const SquareRegion& region,
                        const SquareFrame& frame, const SquareRow& row);
-
-/// Returns whether the square of column i and row r is in the region, by the signs of each edge at
-/// its four corners. Slow, for cross-checking: see ForEachSquareSpan.
-///
-/// Domain:     as ForEachSquareSpan.
-bool IsSquareCovered(const std::array<Point2, 3>& v, const SquareRegion& region,
-                     const SquareFrame& frame, int i, int r, Decider decider);
 
 }  // namespace rasterproof::exact
 

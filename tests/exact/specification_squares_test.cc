@@ -1,6 +1,7 @@
 // The figures of conservative rasterization, worked out by hand: a first reading of the sentences,
 // by separating axes over integers, which knows nothing of the project's own. The second is the
-// project's: its two deciders give the same pixels, and its presets say what the figures show.
+// project's: its spans and the decider that asks each square alone give the same pixels, and its
+// presets say what the figures show.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,6 +17,7 @@
 #include "exact/edge.h"
 #include "exact/square.h"
 #include "exact/square_coverage.h"
+#include "tests/exact/one_square.h"
 
 namespace rasterproof {
 namespace {
@@ -112,7 +114,7 @@ double Pixels(std::int64_t units) {
   return static_cast<double>(units) / static_cast<double>(kPixel);
 }
 
-// The second reading: both of the project's deciders must say what was read by hand.
+// The second reading: spans, and each square asked alone, must say what was read by hand.
 void ReadAgain(const Drawn& first, const Shape& shape, SquareRelation relation, std::int64_t grown,
                Touch touch) {
   const int height = static_cast<int>(first.size());

@@ -12,6 +12,7 @@
 #include "exact/edge.h"
 #include "tests/exact/families.h"
 #include "tests/exact/naive_square.h"
+#include "tests/exact/one_square.h"
 #include "tests/exact/square_shapes.h"
 #include "tests/share.h"
 

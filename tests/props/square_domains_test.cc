@@ -13,11 +13,13 @@
 #include "core/scene.h"
 #include "core/square_presets.h"
 #include "core/vertex.h"
+#include "exact/edge.h"
 #include "exact/square.h"
 #include "model/snap_scene.h"
 #include "props/domains/case_name.h"
 #include "props/domains/domain.h"
 #include "props/run/property_domains.h"
+#include "tests/exact/one_square.h"
 #include "tests/share.h"
 
 namespace rasterproof::props {

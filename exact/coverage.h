@@ -42,7 +42,7 @@ inline CoverageCounts Coverage(const Scene& scene, const Profile& profile,
 
 /// Returns why the oracle can't decide the scene's counts under the profile: the scene is outside
 /// Coverage()'s domain, or a sample location has too many fractional bits. Nothing if it can: then
-/// neither Coverage() by kFast nor ShapeOf() throws.
+/// neither Coverage() by kFast nor BoundaryWinding() throws.
 std::optional<InputError> WhyNotDecided(const PlacedScene& scene);
 
 /// Returns whether the triangle (window space, already snapped, finite) covers the point p under

@@ -35,30 +35,23 @@ struct DirectedEdge {
   friend auto operator<=>(const DirectedEdge&, const DirectedEdge&) = default;
 };
 
-// The finite triangles of the snapped scene in screen axes, and their directed edges.
-struct Mesh {
-  std::vector<std::array<Point2, 3>> triangles;
-  std::vector<DirectedEdge> edges;  // sorted; none of length zero
-};
-
-Mesh MeshOf(const PlacedScene& scene, const SampleFrame& frame) {
+// The directed edges of the snapped scene's finite triangles in screen axes, none of length zero.
+std::vector<DirectedEdge> EdgesOf(const PlacedScene& scene, const SampleFrame& frame) {
   if (scene.placed.clip_space) {
     throw InputError("scene \"" + scene.scene.name + "\"",
                      "boundary winding needs window space, and its vertices have w",
                      "project the scene, or use homogeneous coverage");
   }
-  Mesh mesh;
+  std::vector<DirectedEdge> edges;
   for (const Triangle& t : scene.placed.triangles) {
     const std::optional<std::array<Vertex, 3>> v = ScreenTriangle(scene.placed, t, frame);
     if (!v) continue;
-    mesh.triangles.push_back({WindowPoint((*v)[0]), WindowPoint((*v)[1]), WindowPoint((*v)[2])});
     for (unsigned k = 0; k < 3; ++k) {
       const DirectedEdge edge{Position((*v)[k]), Position((*v)[(k + 1) % 3])};
-      if (edge.from != edge.to) mesh.edges.push_back(edge);
+      if (edge.from != edge.to) edges.push_back(edge);
     }
   }
-  std::ranges::sort(mesh.edges);
-  return mesh;
+  return edges;
 }
 
 // An edge of the boundary, from its lesser to its greater end, and how often it remains in that
@@ -68,10 +61,10 @@ struct BoundaryEdge {
   std::int64_t multiplicity = 0;
 };
 
-std::vector<BoundaryEdge> BoundaryOf(const Mesh& mesh) {
+std::vector<BoundaryEdge> BoundaryOf(const std::vector<DirectedEdge>& edges) {
   std::vector<BoundaryEdge> all;
-  all.reserve(mesh.edges.size());
-  for (const DirectedEdge& e : mesh.edges) {
+  all.reserve(edges.size());
+  for (const DirectedEdge& e : edges) {
     const bool forward = e.from < e.to;
     all.push_back({forward ? e : DirectedEdge{e.to, e.from}, forward ? 1 : -1});
   }
@@ -126,7 +119,7 @@ std::vector<std::int64_t> BoundaryWinding(const PlacedScene& scene) {
   shape.height = scene.scene.height;
   shape.samples = scene.profile.pattern.samples();
   std::vector<std::int64_t> winding(CoverageCounts::Size(shape.width, shape.height, shape.samples));
-  for (const BoundaryEdge& b : BoundaryOf(MeshOf(scene, frame))) {
+  for (const BoundaryEdge& b : BoundaryOf(EdgesOf(scene, frame))) {
     AddCrossings(b, frame, shape, winding);
   }
   const auto stride = static_cast<std::size_t>(shape.samples);
@@ -136,20 +129,6 @@ std::vector<std::int64_t> BoundaryWinding(const PlacedScene& scene) {
     }
   }
   return winding;
-}
-
-MeshShape ShapeOf(const PlacedScene& scene) {
-  const SampleFrame frame(scene.scene, scene.profile, {});
-  const Mesh mesh = MeshOf(scene, frame);
-  MeshShape shape;
-  const auto fronts = std::ranges::count(scene.facings, 1);
-  const auto backs = std::ranges::count(scene.facings, -1);
-  shape.folded = fronts != 0 && backs != 0;
-  shape.degenerate = mesh.triangles.size() - static_cast<std::size_t>(fronts + backs);
-  shape.balanced = std::ranges::adjacent_find(mesh.edges) == mesh.edges.end();
-  shape.boundary_edges = BoundaryOf(mesh).size();
-  shape.closed = shape.boundary_edges == 0;
-  return shape;
 }
 
 }  // namespace rasterproof::exact

@@ -21,16 +21,6 @@ namespace rasterproof::exact {
 /// Properties: equals the signed coverage, docs/mathematics.md.
 std::vector<std::int64_t> BoundaryWinding(const PlacedScene& scene);
 
-/// Facts about a snapped mesh as a subdivision of the plane.
-struct MeshShape {
-  bool closed = false;           ///< no boundary edge is left
-  bool folded = false;           ///< triangles of both facings
-  bool balanced = false;         ///< no directed edge (by position) occurs twice
-  std::uint64_t degenerate = 0;  ///< triangles of zero area
-  std::uint64_t boundary_edges = 0;
-};
-MeshShape ShapeOf(const PlacedScene& scene);
-
 }  // namespace rasterproof::exact
 
 #endif  // RASTERPROOF_EXACT_WINDING_H_

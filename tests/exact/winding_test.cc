@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -58,39 +57,10 @@ TEST(BoundaryWinding, EqualsSignedCoverageOfAnyTrianglesUnderEveryRule) {
   EXPECT_GT(nonzero, 1000U);
 }
 
-TEST(BoundaryWinding, WeldsByPositionAndTakesBothZerosForOne) {
-  const Scene scene =
-      Window(2, 2, {{0, 0}, {0, 2}, {2, 2}, {-0.0, -0.0}, {2, 2}, {2, 0}}, {{0, 1, 2}, {3, 4, 5}});
-  EXPECT_EQ(ShapeOf({scene, {}}).boundary_edges, 4U);
-  EXPECT_FALSE(ShapeOf({scene, {}}).closed);
-  EXPECT_TRUE(ShapeOf({scene, {}}).balanced);
-}
-
 TEST(BoundaryWinding, RefusesClipSpace) {
   Scene scene = Window(1, 1, {{0, 0}, {1, 0}, {0, 1}}, {{0, 1, 2}});
   scene.clip_space = true;
   EXPECT_THROW(BoundaryWinding({scene, {}}), InputError);
-}
-
-TEST(ShapeOf, TellsClosedFoldedBalancedAndDegenerate) {
-  const std::vector<Vertex> v{{0, 0}, {4, 0}, {0, 4}, {1, 1}, {2, 2}, {std::nan(""), 0}};
-  const MeshShape both_sides = ShapeOf({Window(4, 4, v, {{0, 1, 2}, {0, 2, 1}}), {}});
-  EXPECT_TRUE(both_sides.closed);
-  EXPECT_TRUE(both_sides.folded);
-  EXPECT_TRUE(both_sides.balanced);
-  const MeshShape twice = ShapeOf({Window(4, 4, v, {{0, 1, 2}, {0, 1, 2}}), {}});
-  EXPECT_FALSE(twice.balanced);
-  EXPECT_FALSE(twice.folded);
-  EXPECT_EQ(twice.boundary_edges, 3U);
-  const MeshShape flat = ShapeOf({Window(4, 4, v, {{0, 3, 4}, {0, 0, 1}, {0, 1, 5}}), {}});
-  EXPECT_EQ(flat.degenerate, 2U) << "the triangle with a NaN is left out";
-}
-
-TEST(ShapeOf, LooksAtTheSnappedMesh) {
-  // The third vertex snaps onto the others' line.
-  const Scene scene = Window(4, 4, {{0, 0}, {4, 0}, {1, 0x1p-12}}, {{0, 1, 2}});
-  EXPECT_EQ(ShapeOf({scene, {}}).degenerate, 0U);
-  EXPECT_EQ(ShapeOf({scene, *PresetProfile("gl-canonical")}).degenerate, 1U);
 }
 
 }  // namespace

@@ -81,6 +81,7 @@ bool IsClosed(const Scene& scene) {
   std::map<DirectedEdge, std::int64_t> balance;
   for (const Triangle& t : scene.triangles) {
     const std::array<Vertex, 3> v = Corners(scene, t);
+    if (!std::ranges::all_of(v, IsFinite)) continue;
     for (int i = 0; i < 3; ++i) {
       ++balance[Key(EdgeStart(v, i), EdgeEnd(v, i))];
       --balance[Key(EdgeEnd(v, i), EdgeStart(v, i))];

@@ -35,6 +35,7 @@ struct BoundaryEdge {
 std::vector<BoundaryEdge> BoundaryOf(const Scene& scene);
 
 /// Whether every directed edge is traversed as often as its reverse, by x, y and w as given.
+/// Triangles that are not finite are left out.
 bool IsClosed(const Scene& scene);
 
 /// Start and end of edge `edge`, the one opposite vertex `edge`, in the triangle's direction.

@@ -9,7 +9,6 @@
 #include "core/coverage.h"
 #include "core/profile.h"
 #include "exact/coverage.h"
-#include "exact/winding.h"
 #include "model/snap_scene.h"
 #include "props/judging/freedom/free_choices.h"
 #include "props/judging/mesh/mesh_neighbours.h"
@@ -29,10 +28,8 @@ constexpr std::array kRules{kCountsTies, kOwnsEdges, kDrawsBothFacings};
 bool IsClosedInEveryModel(const PlacedCase& c) {
   if (c.scene.clip_space) return IsClosed(c.scene);
   const bool one_model = HasOneModel(c.profile) && IsUnclipped(c.scene, c.profile);
-  if (one_model) return exact::ShapeOf(c).closed;
-  Profile as_it_is;
-  as_it_is.pattern = c.profile.pattern;
-  return exact::ShapeOf({UnsnappedScene(c), as_it_is}).closed;
+  if (one_model) return IsClosed(c.placed);
+  return IsClosed(UnsnappedScene(c));
 }
 
 Checks Ask(const PlacedCase& c, const Description& subject) {

@@ -29,8 +29,9 @@ constexpr std::array kRules{
                 "snapping follows the division: a profile without it is needed"}};
 
 // The eye is the origin. A triangle in a plane through it can hold it only if its vertices are not
-// all on one side of w = 0.
+// all on one side of w = 0. Of one that is not finite nothing is known.
 bool MayHoldTheEye(const std::array<Vertex, 3>& v) {
+  if (!std::ranges::all_of(v, IsFinite)) return true;
   const bool in_front = std::ranges::all_of(v, [](const Vertex& p) { return p.w > 0; });
   const bool behind = std::ranges::all_of(v, [](const Vertex& p) { return p.w < 0; });
   return !in_front && !behind && exact::DeterminantSign(v) == 0;

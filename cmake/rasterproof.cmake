@@ -220,9 +220,13 @@ function(rows_of out type)
 endfunction()
 
 # write_rows(FILE.cc Type header name row ...): kAllNAME and kNumberOfNAME, of these rows, in the
-# namespace of the header's folder.
+# namespace of the header's folder, and of the type within it (space::Type).
 function(write_rows file type header name)
   string(REGEX REPLACE "/.*" "" space ${header})
+  if(type MATCHES "^(.+)::(.+)$")
+    string(APPEND space "::${CMAKE_MATCH_1}")
+    set(type ${CMAKE_MATCH_2})
+  endif()
   list(JOIN ARGN ", " declared)
   list(JOIN ARGN ",\n    &" listed)
   file(CONFIGURE OUTPUT ${file} CONTENT [[#include <cstddef>

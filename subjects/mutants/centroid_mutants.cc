@@ -146,8 +146,6 @@ Point2 FirstCoveredOfAnotherPattern(const CentroidQuestion& q) {
   return {2 * q.low.x + 1 - first.x, first.y};
 }
 
-}  // namespace
-
 std::vector<Mutant> CentroidMutants() {
   return {
       {"centroid-centre-always", "centroid is the pixel's centre, covered in part or not", "",
@@ -221,5 +219,10 @@ std::vector<Mutant> CentroidVariants() {
        Evaluating("webgpu-4x", MiddleOfTheCommonPart)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kCentroidMutants{MutantKind::kPlanted, 22, CentroidMutants};
+extern constinit const MutantTable kCentroidVariants{MutantKind::kLegal, 14, CentroidVariants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -23,9 +23,7 @@ using variants::BarycentricsAt;
 class Centroids final : public Subject {
  public:
   Centroids(const std::string& name, const std::string& summary, CentroidStages stages)
-      : stages_(std::move(stages)),
-        base_(MakeFixedPoint(name, summary, stages_.base)),
-        info_(base_->Info()) {
+      : stages_(std::move(stages)), base_(Make(name, summary, stages_.base)), info_(base_->Info()) {
     info_.coverage = CoverageKind::kFragments;
     info_.takes_threads = false;
     info_.takes_culling = false;
@@ -172,8 +170,8 @@ std::vector<Point2> CommonPolygon(const CentroidQuestion& q) {
   return polygon;
 }
 
-std::unique_ptr<Subject> MakeCentroids(const std::string& name, const std::string& summary,
-                                       CentroidStages stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              CentroidStages stages) {
   return std::make_unique<Centroids>(name, summary, std::move(stages));
 }
 

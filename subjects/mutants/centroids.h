@@ -62,9 +62,9 @@ struct CentroidStages {
 /// A fixed-point rasterizer of eight subpixel bits that shows fragments, and their centroids where
 /// it says so, computed in double. Who states `either` shows those of the given vertices.
 ///
-/// Domain:     as MakeFixedPoint.
-std::unique_ptr<Subject> MakeCentroids(const std::string& name, const std::string& summary,
-                                       CentroidStages stages);
+/// Domain:     as Make() of FixedStages.
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              CentroidStages stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -62,10 +62,10 @@ void Widen(Polygon& polygon, const Side& side, double by) {
   }
 }
 
-class Clipping final : public Subject {
+class ClippingSubject final : public Subject {
  public:
-  Clipping(const std::string& name, const std::string& summary, ClippingStages stages)
-      : stages_(std::move(stages)), base_(MakeFixedPoint(name, summary, stages_.base)) {
+  ClippingSubject(const std::string& name, const std::string& summary, ClippingStages stages)
+      : stages_(std::move(stages)), base_(Make(name, summary, stages_.base)) {
     info_ = base_->Info();
   }
 
@@ -144,9 +144,9 @@ class Clipping final : public Subject {
 
 }  // namespace
 
-std::unique_ptr<Subject> MakeClipping(const std::string& name, const std::string& summary,
-                                      ClippingStages stages) {
-  return std::make_unique<Clipping>(name, summary, std::move(stages));
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              ClippingStages stages) {
+  return std::make_unique<ClippingSubject>(name, summary, std::move(stages));
 }
 
 }  // namespace rasterproof::subjects::mutants

@@ -23,9 +23,9 @@ struct ClippingStages {
 /// The rasterizer with the given stages. A polygon covers what it winds around, whatever snapping
 /// made of its shape, so that neighbours which are clipped alike stay watertight.
 ///
-/// Domain:     as MakeFixedPoint.
-std::unique_ptr<Subject> MakeClipping(const std::string& name, const std::string& summary,
-                                      ClippingStages stages);
+/// Domain:     as Make() of FixedStages.
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              ClippingStages stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -100,7 +100,7 @@ std::vector<Mutant> Extents() {
   };
 }
 
-std::vector<Mutant> Targets() {
+std::vector<Mutant> GridsByTarget() {
   return {
       {"target-first-entry", "the model of small targets is taken for all", "",
        ByTarget([](const Profile& profile, const Scene&) { return ModelOn(profile, 1, 1); })},
@@ -192,14 +192,16 @@ std::vector<Mutant> Sides() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> ContractMutants() {
   std::vector<Mutant> table = FixedInputs();
-  for (const auto more : {Extents, Targets, Clips, LeftOpen, Sides}) {
+  for (const auto more : {Extents, GridsByTarget, Clips, LeftOpen, Sides}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kContractMutants{MutantKind::kPlanted, 13, ContractMutants};
 
 }  // namespace rasterproof::subjects::mutants

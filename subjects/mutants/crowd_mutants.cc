@@ -203,13 +203,15 @@ std::vector<Mutant> Ends() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> CrowdMutants() {
   std::vector<Mutant> table = Cuts();
   for (Mutant& planted : Pairs()) table.push_back(std::move(planted));
   for (Mutant& planted : Ends()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kCrowdMutants{MutantKind::kPlanted, 7, CrowdMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -165,8 +165,6 @@ FixedStages CullingBeforeTheSnap(FixedStages stages) {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> FacingVariants() {
   return {
       {"vulkan-facing-exchanged", "front is the other side, for all triangles", "",
@@ -220,5 +218,10 @@ std::vector<Mutant> FacingMutants() {
        CullingTheOtherSide("vulkan"), "culling"},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kFacingVariants{MutantKind::kLegal, 10, FacingVariants};
+extern constinit const MutantTable kFacingMutants{MutantKind::kPlanted, 18, FacingMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -87,8 +87,6 @@ FixedStages RoundsOtherwiseFrom(std::string_view preset, double pixels) {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> FarVariants() {
   return {
       {"vulkan-far", "coordinates reach 2^30 pixels", "", FarReaching("vulkan")},
@@ -114,5 +112,10 @@ std::vector<Mutant> FarMutants() {
        RoundsOtherwiseFrom("vulkan", 0x1p27)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kFarVariants{MutantKind::kLegal, 11, FarVariants};
+extern constinit const MutantTable kFarMutants{MutantKind::kPlanted, 19, FarMutants};
 
 }  // namespace rasterproof::subjects::mutants

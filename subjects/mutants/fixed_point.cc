@@ -62,14 +62,14 @@ SubjectInfo FixedPointInfo(const std::string& name, const std::string& summary,
   return info;
 }
 
-std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
-                                        const FixedStages& stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const FixedStages& stages) {
   SubjectInfo info = FixedPointInfo(name, summary, stages.profile);
   info.takes_tiles = info.takes_threads = stages.has_workers;
-  return MakeFixedPoint(info, stages);
+  return Make(info, stages);
 }
 
-std::unique_ptr<Subject> MakeFixedPoint(const SubjectInfo& info, const FixedStages& stages) {
+std::unique_ptr<Subject> Make(const SubjectInfo& info, const FixedStages& stages) {
   return variants::MakeVariant<GridPoint>(info, stages,
                                           {.lattice = {GridBits(stages)},
                                            .tile = 8,

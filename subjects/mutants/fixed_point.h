@@ -42,14 +42,14 @@ bool OwnsIfFlat(const GridEdge& edge, const GridTriangle& triangle, const Sample
 /// Domain:     float32 scenes in window space. A triangle that is not finite or leaves twice the
 ///             profile's limit is not drawn. 2 limit 2^bits <= 2^60; edge values are held to 64
 ///             bits, which is all of them while 2 limit 2^bits <= 2^30.
-std::unique_ptr<Subject> MakeFixedPoint(const std::string& name, const std::string& summary,
-                                        const FixedStages& stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const FixedStages& stages);
 
 /// What such a subject states.
 SubjectInfo FixedPointInfo(const std::string& name, const std::string& summary,
                            const Profile& profile);
 /// The same, under other statements.
-std::unique_ptr<Subject> MakeFixedPoint(const SubjectInfo& info, const FixedStages& stages);
+std::unique_ptr<Subject> Make(const SubjectInfo& info, const FixedStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -174,8 +174,6 @@ std::vector<Mutant> AskedAlone() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> FragmentMutants() {
   std::vector<Mutant> table = OfOtherCorners();
   for (Mutant& planted : AskedAlone()) table.push_back(std::move(planted));
@@ -210,5 +208,10 @@ std::vector<Mutant> FragmentVariants() {
              })},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kFragmentMutants{MutantKind::kPlanted, 23, FragmentMutants};
+extern constinit const MutantTable kFragmentVariants{MutantKind::kLegal, 15, FragmentVariants};
 
 }  // namespace rasterproof::subjects::mutants

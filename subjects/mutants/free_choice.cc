@@ -76,8 +76,8 @@ void WeighTheGiven(variants::Weights& weights, const GridTriangle& t, const Samp
 
 }  // namespace
 
-std::unique_ptr<Subject> MakeFreeChoice(const std::string& name, const std::string& summary,
-                                        const FreeStages& stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const FreeStages& stages) {
   FixedStages base;
   base.has_workers = false;
   base.profile = stages.profile;
@@ -102,7 +102,7 @@ std::unique_ptr<Subject> MakeFreeChoice(const std::string& name, const std::stri
   info.takes_culling = stages.coverage == CoverageKind::kFacingCounts;
   info.takes_window = !stages.takes_clip;
   info.takes_clip = stages.takes_clip;
-  return MakeFixedPoint(info, base);
+  return Make(info, base);
 }
 
 }  // namespace rasterproof::subjects::mutants

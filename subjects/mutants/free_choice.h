@@ -45,8 +45,8 @@ struct FreeStages {
 };
 
 /// Domain:     float32 scenes in window space, or in clip space in front of the eye.
-std::unique_ptr<Subject> MakeFreeChoice(const std::string& name, const std::string& summary,
-                                        const FreeStages& stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const FreeStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

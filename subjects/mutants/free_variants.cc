@@ -119,8 +119,6 @@ FreeStages ShowsIds() {
   return {.profile = FixedPointProfile(), .coverage = CoverageKind::kPrimitiveIds};
 }
 
-}  // namespace
-
 std::vector<Mutant> FreeVariants() {
   return {
       {"free-farthest", "each vertex takes the farthest of its legal grid points", "", Fold()},
@@ -198,5 +196,10 @@ std::vector<Mutant> FreeMutants() {
        std::move(from_the_end), "", "OneCallDrawsLikeItsTriangles"},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kFreeVariants{MutantKind::kLegal, 7, FreeVariants};
+extern constinit const MutantTable kFreeMutants{MutantKind::kPlanted, 14, FreeMutants};
 
 }  // namespace rasterproof::subjects::mutants

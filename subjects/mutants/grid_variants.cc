@@ -44,8 +44,6 @@ FixedStages RoundingByAxis(std::string_view preset, int bits) {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> GridVariants() {
   return {
       {"gl-bits-by-viewport", "the grid has 12, 10 or 8 subpixel bits, by the size of the target",
@@ -80,5 +78,10 @@ std::vector<Mutant> GridMutants() {
                   })},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kGridVariants{MutantKind::kLegal, 9, GridVariants};
+extern constinit const MutantTable kGridMutants{MutantKind::kPlanted, 17, GridMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -74,8 +74,6 @@ FixedStages KeepingByTheFirst(std::string_view preset) {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> HistoryVariants() {
   return {
       {"vulkan-refuses-non-finite", "scenes with a NaN or an infinity are refused", "",
@@ -106,5 +104,10 @@ std::vector<Mutant> HistoryMutants() {
        KeepingByTheFirst("gl"), "earlier-draws", "NewVerticesGiveNewCoverage"},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kHistoryVariants{MutantKind::kLegal, 12, HistoryVariants};
+extern constinit const MutantTable kHistoryMutants{MutantKind::kPlanted, 20, HistoryMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -122,12 +122,14 @@ std::vector<Mutant> OtherOnes() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> LateMutants() {
   std::vector<Mutant> table = FixedPointOnes();
   for (Mutant& planted : OtherOnes()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kLateMutants{MutantKind::kLate, 1, LateMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -142,19 +142,16 @@ std::vector<Mutant> OtherBases() {
   };
 }
 
-}  // namespace
-
-std::vector<Mutant> LegalVariants() {
+std::vector<Mutant> UnusualVariants() {
   std::vector<Mutant> table = TieRules();
-  for (const auto more :
-       {SnapVariants,   Samples,          Freedoms,         OtherBases,       TransformVariants,
-        MapVariants,    ScanlineVariants, SquareVariants,   ContractVariants, FreeVariants,
-        SetVariants,    GridVariants,     FacingVariants,   FarVariants,      HistoryVariants,
-        SampleVariants, CentroidVariants, FragmentVariants, WidthVariants,    ListVariants,
-        ValueVariants}) {
+  for (const auto more : {SnapVariants, Samples, Freedoms, OtherBases}) {
     for (Mutant& planted : more()) table.push_back(std::move(planted));
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kUnusualVariants{MutantKind::kLegal, 1, UnusualVariants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -65,8 +65,6 @@ FixedStages FindingVerticesBy(std::string_view preset, int bits, bool by_x) {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> ListMutants() {
   return {
       {"list-ids-of-16-bits", "primitive ids keep 16 bits", "",
@@ -106,5 +104,10 @@ std::vector<Mutant> ListVariants() {
        })},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kListMutants{MutantKind::kPlanted, 26, ListMutants};
+extern constinit const MutantTable kListVariants{MutantKind::kLegal, 17, ListVariants};
 
 }  // namespace rasterproof::subjects::mutants

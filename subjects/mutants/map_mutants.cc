@@ -68,8 +68,6 @@ double OriginBySum(double origin, double step, int pixels) {
   return origin;
 }
 
-}  // namespace
-
 std::vector<Mutant> MapMutants() {
   return {
       {"map-tile-origin", "a tile places vertices from its own origin, x0 + i dx, rounded", "",
@@ -108,5 +106,10 @@ std::vector<Mutant> MapVariants() {
        FromItsOwnOrigin(MapOf(0.25, Division::kQuotient), ByQuotient, OriginByProduct)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kMapMutants{MutantKind::kPlanted, 11, MapMutants};
+extern constinit const MutantTable kMapVariants{MutantKind::kLegal, 3, MapVariants};
 
 }  // namespace rasterproof::subjects::mutants

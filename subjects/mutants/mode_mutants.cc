@@ -66,8 +66,6 @@ RealStages Traps() {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> ModeMutants() {
   return {
       {.name = "mode-magic-snap",
@@ -92,5 +90,9 @@ std::vector<Mutant> ModeMutants() {
        .takes_float_modes = true},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kModeMutants{MutantKind::kPlanted, 25, ModeMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -2,6 +2,7 @@
 #ifndef RASTERPROOF_SUBJECTS_MUTANTS_MUTANT_H_
 #define RASTERPROOF_SUBJECTS_MUTANTS_MUTANT_H_
 
+#include <cstdint>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -39,57 +40,20 @@ Profile FourSampleProfile();
 /// Sound, under a preset.
 FixedStages StagesOfPreset(std::string_view preset);
 
-// The mutants, by stage.
-std::vector<Mutant> TieRuleMutants();     // ties, facing
-std::vector<Mutant> PositionMutants();    // sample locations, snapping
-std::vector<Mutant> SetUpMutants();       // overflow, guard band
-std::vector<Mutant> WidthMutants();       // numbers of one bit too few
-std::vector<Mutant> TraversalMutants();   // box, tiles, stepping
-std::vector<Mutant> TargetMutants();      // scissor, culling, target size, threads
-std::vector<Mutant> SceneMutants();       // state, degenerate and non-finite input, lost triangles
-std::vector<Mutant> CrowdMutants();       // many triangles, pairs, ends of numbers
-std::vector<Mutant> RealMutants();        // exact geometry, clip space
-std::vector<Mutant> TransformMutants();   // clip space to window
-std::vector<Mutant> MapMutants();         // a map to window, tiles
-std::vector<Mutant> ScanlineMutants();    // where edges cross rows
-std::vector<Mutant> ShownValueMutants();  // edge values, steps, barycentrics
-std::vector<Mutant> ContractMutants();    // fixed-point input, target sizes, extents, edge_samples
-std::vector<Mutant> SquareMutants();      // whole pixels
-std::vector<Mutant> FreeMutants();        // one illegal act among legal choices
-std::vector<Mutant> SetMutants();         // just outside the legal sets of APIs
-std::vector<Mutant> GridMutants();        // grids that change, under the legal sets of APIs
-std::vector<Mutant> FacingMutants();      // facing, under the legal sets of APIs
-std::vector<Mutant> FarMutants();         // large coordinates, under legal sets
-std::vector<Mutant> HistoryMutants();     // what a scene leaves for the next, under legal sets
-std::vector<Mutant> SampleMutants();      // several samples a pixel
-std::vector<Mutant> CentroidMutants();    // where attributes are evaluated at centroids
-std::vector<Mutant> ModeMutants();        // the caller's floating-point mode
-std::vector<Mutant> FragmentMutants();    // whose barycentrics, and what is asked for alone
-std::vector<Mutant> ValueMutants();       // values of channels
-std::vector<Mutant> SlopeMutants();       // their derivatives, and depths
-std::vector<Mutant> ListMutants();        // lists of more than 2^16 triangles
-/// Written after the generators and the properties were frozen.
-std::vector<Mutant> LateMutants();
+/// What the rows of a table are; Mutants() has them in this order.
+enum class MutantKind : std::uint8_t {
+  kPlanted,  ///< bugs
+  kLate,     ///< bugs planted after the generators and the properties were frozen
+  kLegal     ///< legal variants
+};
 
-std::vector<Mutant> LegalVariants();
-// Parts of them.
-std::vector<Mutant> TransformVariants();
-std::vector<Mutant> MapVariants();
-std::vector<Mutant> ScanlineVariants();
-std::vector<Mutant> WidthVariants();
-std::vector<Mutant> SquareVariants();
-std::vector<Mutant> FreeVariants();      // those that take the worst of what is legal
-std::vector<Mutant> SetVariants();       // of the legal sets of APIs
-std::vector<Mutant> GridVariants();      // grids that change, of the legal sets of APIs
-std::vector<Mutant> FacingVariants();    // facing, of the legal sets of APIs
-std::vector<Mutant> FarVariants();       // large coordinates
-std::vector<Mutant> HistoryVariants();   // that refuse a scene, and draw the next
-std::vector<Mutant> SampleVariants();    // several samples a pixel
-std::vector<Mutant> CentroidVariants();  // those that show centroids
-std::vector<Mutant> FragmentVariants();  // those that show fragments in float32
-std::vector<Mutant> ValueVariants();     // those that show values of channels
-std::vector<Mutant> ListVariants();      // long lists
-std::vector<Mutant> ContractVariants();  // those of profiles with the rarer keys
+/// The rows of one topic, which begins "extern constinit const MutantTable kItsTopicMutants{" in a
+/// file beside this one whose name ends in "mutants" or "variants": the build lists the tables.
+struct MutantTable {
+  MutantKind kind;
+  int place;  ///< among the tables of its kind, and no other's
+  std::vector<Mutant> (*rows)();
+};
 
 }  // namespace rasterproof::subjects::mutants
 

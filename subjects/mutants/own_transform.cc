@@ -39,8 +39,8 @@ void TakeToWindow(const TransformStages& stages, Scene& scene, const DrawOptions
 
 }  // namespace
 
-std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::string& summary,
-                                          const TransformStages& stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const TransformStages& stages) {
   FixedStages base;
   base.has_workers = false;
   base.scene = [stages](Scene& scene, const DrawOptions& options) {
@@ -65,7 +65,7 @@ std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::st
                       .barycentric_error = kBarycentricError,
                       .depth_error = kDepthError};
   }
-  return MakeFixedPoint(info, base);
+  return Make(info, base);
 }
 
 }  // namespace rasterproof::subjects::mutants

@@ -37,8 +37,8 @@ inline constexpr double kDepthError = 0x1p-44;
 /// Returns the fixed-point rasterizer after a transform. A vertex that is not finite or not in
 /// front of the eye has no place: its triangles are not drawn. After a map the rasterizer takes
 /// float64.
-std::unique_ptr<Subject> MakeOwnTransform(const std::string& name, const std::string& summary,
-                                          const TransformStages& stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const TransformStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -123,6 +123,12 @@ std::vector<Mutant> Snaps() {
   };
 }
 
+std::vector<Mutant> PositionMutants() {
+  std::vector<Mutant> table = SubpixelSamples();
+  for (Mutant& planted : Snaps()) table.push_back(std::move(planted));
+  return table;
+}
+
 }  // namespace
 
 Profile FourSampleProfile() {
@@ -132,10 +138,6 @@ Profile FourSampleProfile() {
   return profile;
 }
 
-std::vector<Mutant> PositionMutants() {
-  std::vector<Mutant> table = SubpixelSamples();
-  for (Mutant& planted : Snaps()) table.push_back(std::move(planted));
-  return table;
-}
+extern constinit const MutantTable kPositionMutants{MutantKind::kPlanted, 2, PositionMutants};
 
 }  // namespace rasterproof::subjects::mutants

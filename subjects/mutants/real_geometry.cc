@@ -45,17 +45,17 @@ RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p)) {
                            const PointStages::Sample& at) { return sign(e.a, e.b, at.at); }}};
 }
 
-std::unique_ptr<Subject> MakeRealGeometry(const std::string& name, const std::string& summary,
-                                          const RealStages& stages) {
-  return MakeRealGeometry(RealGeometryInfo(name, summary, stages.profile), stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const RealStages& stages) {
+  return Make(RealGeometryInfo(name, summary, stages.profile), stages);
 }
 
-std::unique_ptr<Subject> MakeRealGeometry(const SubjectInfo& info, const RealStages& stages) {
+std::unique_ptr<Subject> Make(const SubjectInfo& info, const RealStages& stages) {
   return variants::MakeVariant<Point2>(info, stages, kRealGeometry);
 }
 
-std::unique_ptr<Subject> MakeClipSpace(const std::string& name, const std::string& summary,
-                                       const ClipStages& stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const ClipStages& stages) {
   SubjectInfo info = RealGeometryInfo(name, summary, stages.profile);
   info.takes_window = false;
   info.takes_clip = true;

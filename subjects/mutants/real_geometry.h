@@ -42,20 +42,20 @@ RealStages Signing(int (*sign)(Point2 a, Point2 b, Point2 p));
 /// The rasterizer with the given stages: every sample of the box, three signs each.
 ///
 /// Domain:     float32 scenes in window space.
-std::unique_ptr<Subject> MakeRealGeometry(const std::string& name, const std::string& summary,
-                                          const RealStages& stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const RealStages& stages);
 
 /// What such a subject states.
 SubjectInfo RealGeometryInfo(const std::string& name, const std::string& summary,
                              const Profile& profile);
 /// The same, under other statements.
-std::unique_ptr<Subject> MakeRealGeometry(const SubjectInfo& info, const RealStages& stages);
+std::unique_ptr<Subject> Make(const SubjectInfo& info, const RealStages& stages);
 
 /// The rasterizer of clip space: nothing is clipped, signs are exact.
 ///
 /// Domain:     float32 scenes in clip space.
-std::unique_ptr<Subject> MakeClipSpace(const std::string& name, const std::string& summary,
-                                       const ClipStages& stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const ClipStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

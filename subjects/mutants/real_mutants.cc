@@ -265,13 +265,15 @@ std::vector<Mutant> RealClips() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> RealMutants() {
   std::vector<Mutant> table = Signs();
   for (Mutant& planted : SetUps()) table.push_back(std::move(planted));
   for (Mutant& planted : RealClips()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kRealMutants{MutantKind::kPlanted, 8, RealMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -116,8 +116,6 @@ FixedStages SixtyFour() {
   return stages;
 }
 
-}  // namespace
-
 std::vector<Mutant> SampleMutants() {
   return {
       {"samples-one-reused", "the third of four samples lies where the second does", "",
@@ -194,5 +192,10 @@ std::vector<Mutant> SampleVariants() {
        Sampling(StagesOf("gl-4x"), APixelRight)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kSampleMutants{MutantKind::kPlanted, 21, SampleMutants};
+extern constinit const MutantTable kSampleVariants{MutantKind::kLegal, 13, SampleVariants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -70,8 +70,6 @@ std::int64_t Wrapped(GridPoint a, GridPoint b, std::int64_t y) {
   return a.x + RoundedDown(n, b.y - a.y);
 }
 
-}  // namespace
-
 std::vector<Mutant> ScanlineMutants() {
   return {
       {"scanline-truncated", "crossings left of their upper end are rounded up, not down", "",
@@ -95,5 +93,10 @@ std::vector<Mutant> ScanlineVariants() {
        Scanlines(SnapRule::kHalfUp, HalfUp)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kScanlineMutants{MutantKind::kPlanted, 10, ScanlineMutants};
+extern constinit const MutantTable kScanlineVariants{MutantKind::kLegal, 4, ScanlineVariants};
 
 }  // namespace rasterproof::subjects::mutants

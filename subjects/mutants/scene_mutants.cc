@@ -242,8 +242,6 @@ std::vector<Mutant> Losses() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> SceneMutants() {
   std::vector<Mutant> table = Leaks();
   for (const auto more : {Batches, BadInput, Losses}) {
@@ -251,5 +249,9 @@ std::vector<Mutant> SceneMutants() {
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kSceneMutants{MutantKind::kPlanted, 6, SceneMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -125,12 +125,14 @@ std::vector<Mutant> FarVertices() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> SetUpMutants() {
   std::vector<Mutant> table = Overflows();
   for (Mutant& planted : FarVertices()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kSetUpMutants{MutantKind::kPlanted, 3, SetUpMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -46,9 +46,9 @@ FixedStages Finer(int bits, std::function<double(double)> snap) {
   return stages;
 }
 
-using Owns = std::function<bool(const GridEdge&, const GridTriangle&, const Sample&)>;
+using Ownership = std::function<bool(const GridEdge&, const GridTriangle&, const Sample&)>;
 
-FixedStages Owning(std::string_view preset, Owns owns) {
+FixedStages Owning(std::string_view preset, Ownership owns) {
   FixedStages stages = Of(preset);
   stages.owns = std::move(owns);
   return stages;
@@ -205,10 +205,6 @@ double RoundAbove(double x, int bits, double threshold) {
   const double whole = std::floor(scaled);
   return std::ldexp(scaled - whole > threshold ? whole + 1 : whole, -bits);
 }
-
-}  // namespace
-
-FixedStages StagesOfPreset(std::string_view preset) { return {{}, *PresetProfile(preset)}; }
 
 // NOLINTNEXTLINE(readability-function-size): a table
 std::vector<Mutant> SetVariants() {
@@ -420,5 +416,12 @@ std::vector<Mutant> SetMutants() {
        "sample-location"},
   };
 }
+
+}  // namespace
+
+FixedStages StagesOfPreset(std::string_view preset) { return {{}, *PresetProfile(preset)}; }
+
+extern constinit const MutantTable kSetVariants{MutantKind::kLegal, 8, SetVariants};
+extern constinit const MutantTable kSetMutants{MutantKind::kPlanted, 16, SetMutants};
 
 }  // namespace rasterproof::subjects::mutants

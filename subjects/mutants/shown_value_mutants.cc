@@ -234,8 +234,6 @@ std::vector<Mutant> Distances() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> ShownValueMutants() {
   std::vector<Mutant> table = EdgeValues();
   for (const auto more : {EdgeSteps, Barycentrics, Interpolations, Distances}) {
@@ -243,5 +241,9 @@ std::vector<Mutant> ShownValueMutants() {
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kShownValueMutants{MutantKind::kPlanted, 12, ShownValueMutants};
 
 }  // namespace rasterproof::subjects::mutants

@@ -95,8 +95,8 @@ class ShownValues final : public Subject, public EdgeEvaluator, public Barycentr
 
 }  // namespace
 
-std::unique_ptr<Subject> MakeShownValues(const std::string& name, const std::string& summary,
-                                         ValueStages stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              ValueStages stages) {
   return std::make_unique<ShownValues>(name, summary, std::move(stages));
 }
 

@@ -39,8 +39,8 @@ struct ValueStages {
 };
 
 /// A subject whose coverage is not judged (contract none): only what it shows is.
-std::unique_ptr<Subject> MakeShownValues(const std::string& name, const std::string& summary,
-                                         ValueStages stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              ValueStages stages);
 
 }  // namespace rasterproof::subjects::mutants
 

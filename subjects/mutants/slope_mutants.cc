@@ -244,8 +244,6 @@ std::vector<Mutant> OfDepths() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> SlopeMutants() {
   std::vector<Mutant> table = OfSlopes();
   for (const auto part : {OfQuads, OfDepths}) {
@@ -253,5 +251,9 @@ std::vector<Mutant> SlopeMutants() {
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kSlopeMutants{MutantKind::kPlanted, 28, SlopeMutants};
 
 }  // namespace rasterproof::subjects::mutants

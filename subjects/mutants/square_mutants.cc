@@ -35,12 +35,12 @@ bool IsInOnePixel(const Points& v) {
 }
 
 // Twice the area of a -> b and p: exact wherever squares and grid lines are at stake.
-double Side(Point2 a, Point2 b, Point2 p) { return DoubledArea({a, b, p}); }
+double SideOf(Point2 a, Point2 b, Point2 p) { return DoubledArea({a, b, p}); }
 
 bool IsInside(const Points& v, Point2 p) {
   const double facing = DoubledArea(v) < 0 ? -1 : 1;
-  return facing * Side(v[0], v[1], p) >= 0 && facing * Side(v[1], v[2], p) >= 0 &&
-         facing * Side(v[2], v[0], p) >= 0;
+  return facing * SideOf(v[0], v[1], p) >= 0 && facing * SideOf(v[1], v[2], p) >= 0 &&
+         facing * SideOf(v[2], v[0], p) >= 0;
 }
 
 // Met by nothing but a corner: beside the triangle's box along both axes.
@@ -56,7 +56,7 @@ bool LosesCrossings(const SquareQuestion& q, bool sound) {
   for (unsigned k = 0; k < 3; ++k) {
     double most = -1;
     for (const Point2& corner : CornersOf(q)) {
-      most = std::max(most, facing * Side(q.v[k], q.v[(k + 1) % 3], corner));
+      most = std::max(most, facing * SideOf(q.v[k], q.v[(k + 1) % 3], corner));
     }
     if (most == 0) return false;
   }
@@ -69,7 +69,7 @@ bool AsksEdgesOnly(const SquareQuestion& q, bool sound) {
   if (area == 0) return sound;
   for (unsigned k = 0; k < 3; ++k) {
     const auto outside = [&](Point2 p) {
-      return Side(q.v[k], q.v[(k + 1) % 3], p) * (area < 0 ? -1 : 1) < 0;
+      return SideOf(q.v[k], q.v[(k + 1) % 3], p) * (area < 0 ? -1 : 1) < 0;
     };
     if (std::ranges::all_of(CornersOf(q), outside)) return false;
   }
@@ -100,8 +100,6 @@ bool TakesTheBox(const SquareQuestion& q, bool /*sound*/) {
 }
 
 constexpr double kStep = kSquareStep;
-
-}  // namespace
 
 std::vector<Mutant> SquareMutants() {
   return {
@@ -210,5 +208,10 @@ std::vector<Mutant> SquareVariants() {
        SquaresOf("vulkan-underestimate", {.holds = true, .half_width = 0.25})},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kSquareMutants{MutantKind::kPlanted, 15, SquareMutants};
+extern constinit const MutantTable kSquareVariants{MutantKind::kLegal, 5, SquareVariants};
 
 }  // namespace rasterproof::subjects::mutants

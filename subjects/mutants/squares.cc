@@ -67,8 +67,8 @@ bool Covers(const SquareStages& stages, const SquareQuestion& q) {
 
 }  // namespace
 
-std::unique_ptr<Subject> MakeSquares(const std::string& name, const std::string& summary,
-                                     const SquareStages& stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const SquareStages& stages) {
   RealStages base;
   base.profile = stages.profile;
   base.draws_flat = stages.draws_flat;
@@ -102,7 +102,7 @@ std::unique_ptr<Subject> MakeSquares(const std::string& name, const std::string&
   info.takes_scissor = false;
   info.takes_culling = false;
   info.coverage = stages.coverage;
-  return MakeRealGeometry(info, base);
+  return Make(info, base);
 }
 
 }  // namespace rasterproof::subjects::mutants

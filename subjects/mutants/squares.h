@@ -54,8 +54,8 @@ struct SquareStages {
 };
 
 /// Domain:     float32 scenes in window space.
-std::unique_ptr<Subject> MakeSquares(const std::string& name, const std::string& summary,
-                                     const SquareStages& stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              const SquareStages& stages);
 
 }  // namespace rasterproof::subjects::mutants
 

@@ -174,13 +174,15 @@ std::vector<Mutant> Threads() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> TargetMutants() {
   std::vector<Mutant> table = Scissors();
   for (Mutant& planted : Targets()) table.push_back(std::move(planted));
   for (Mutant& planted : Threads()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kTargetMutants{MutantKind::kPlanted, 5, TargetMutants};
 
 }  // namespace rasterproof::subjects::mutants

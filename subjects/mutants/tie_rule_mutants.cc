@@ -144,12 +144,14 @@ std::vector<Mutant> Facings() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> TieRuleMutants() {
   std::vector<Mutant> table = Ties();
   for (Mutant& planted : Facings()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kTieRuleMutants{MutantKind::kPlanted, 1, TieRuleMutants};
 
 }  // namespace rasterproof::subjects::mutants

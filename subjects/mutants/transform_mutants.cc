@@ -72,8 +72,6 @@ TransformStages WithFlatDepths(double difference) {
 
 constexpr Transform kMultiplyAdd{.viewport = ViewportForm::kMultiplyAdd, .flips_y = true};
 
-}  // namespace
-
 std::vector<Mutant> TransformMutants() {
   return {
       {"transform-reciprocal", "x is multiplied by 1/w where it is to be divided", "",
@@ -146,5 +144,10 @@ std::vector<Mutant> TransformVariants() {
        ShownAsFragments(0.75 * kDepthError)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kTransformMutants{MutantKind::kPlanted, 9, TransformMutants};
+extern constinit const MutantTable kTransformVariants{MutantKind::kLegal, 2, TransformVariants};
 
 }  // namespace rasterproof::subjects::mutants

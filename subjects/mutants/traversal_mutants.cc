@@ -180,13 +180,15 @@ std::vector<Mutant> Stepping() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> TraversalMutants() {
   std::vector<Mutant> table = Boxes();
   for (Mutant& planted : Tiles()) table.push_back(std::move(planted));
   for (Mutant& planted : Stepping()) table.push_back(std::move(planted));
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kTraversalMutants{MutantKind::kPlanted, 4, TraversalMutants};
 
 }  // namespace rasterproof::subjects::mutants

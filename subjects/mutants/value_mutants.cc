@@ -456,8 +456,6 @@ std::vector<Mutant> OfPlaces() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> ValueMutants() {
   std::vector<Mutant> table = OfWeights();
   for (const auto part : {OfPrecision, OfPlaces, OfCentroids}) {
@@ -465,5 +463,9 @@ std::vector<Mutant> ValueMutants() {
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kValueMutants{MutantKind::kPlanted, 27, ValueMutants};
 
 }  // namespace rasterproof::subjects::mutants

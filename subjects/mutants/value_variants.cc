@@ -91,9 +91,7 @@ Floats FloatBetas(const FloatForm& form) {
 }
 
 Floats Times(const Floats& a, const Floats& b) { return {a[0] * b[0], a[1] * b[1], a[2] * b[2]}; }
-Floats Over(const Floats& a, float divisor) {
-  return {a[0] / divisor, a[1] / divisor, a[2] / divisor};
-}
+Floats Over(const Floats& a, float d) { return {a[0] / d, a[1] / d, a[2] / d}; }
 float SumOf(const Floats& a) { return a[0] + a[1] + a[2]; }
 
 Floats FormWeights(const FloatForm& form) {
@@ -487,8 +485,6 @@ std::vector<Mutant> ByPreset() {
   };
 }
 
-}  // namespace
-
 std::vector<Mutant> ValueVariants() {
   std::vector<Mutant> table = ByForm();
   for (const auto part : {ByStatement, ByPreset}) {
@@ -496,5 +492,9 @@ std::vector<Mutant> ValueVariants() {
   }
   return table;
 }
+
+}  // namespace
+
+extern constinit const MutantTable kValueVariants{MutantKind::kLegal, 18, ValueVariants};
 
 }  // namespace rasterproof::subjects::mutants

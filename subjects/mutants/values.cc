@@ -75,7 +75,7 @@ class Values final : public Subject {
     if (stages_.base) {
       stages_.base->profile.values = stages_.profile.values;
       stages_.profile = stages_.base->profile;
-      base_ = MakeFixedPoint(name, summary, *stages_.base);
+      base_ = Make(name, summary, *stages_.base);
       stages_.takes_clip = false;
     }
     info_ = RealGeometryInfo(name, summary, stages_.profile);
@@ -357,8 +357,8 @@ double EvaluateChannel(const ChannelStages& stages, ValueQuestion q) {
   return stages.value ? stages.value(q, value) : value;
 }
 
-std::unique_ptr<Subject> MakeValues(const std::string& name, const std::string& summary,
-                                    ChannelStages stages) {
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              ChannelStages stages) {
   return std::make_unique<Values>(name, summary, std::move(stages));
 }
 

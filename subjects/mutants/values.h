@@ -108,8 +108,8 @@ double EvaluateChannel(const ChannelStages& stages, ValueQuestion q);
 ///
 /// Domain:     float32 scenes in the window and, unless it says so, clip space. Triangles that are
 ///             not finite are not drawn.
-std::unique_ptr<Subject> MakeValues(const std::string& name, const std::string& summary,
-                                    ChannelStages stages);
+std::unique_ptr<Subject> Make(const std::string& name, const std::string& summary,
+                              ChannelStages stages);
 
 }  // namespace rasterproof::subjects::mutants
 

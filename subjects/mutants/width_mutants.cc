@@ -107,8 +107,6 @@ FixedStages BinCornersOf(int bits) {
   });
 }
 
-}  // namespace
-
 std::vector<Mutant> WidthMutants() {
   return {
       {"width-values-32", "edge values of 12.4 input have 32 bits", "", ValuesOf(32), "overflow"},
@@ -140,5 +138,10 @@ std::vector<Mutant> WidthVariants() {
       {"width-steps-of-8-24", "steps of 8 pixels have 24 bits", "", StepsOf(kBin, 24)},
   };
 }
+
+}  // namespace
+
+extern constinit const MutantTable kWidthMutants{MutantKind::kPlanted, 24, WidthMutants};
+extern constinit const MutantTable kWidthVariants{MutantKind::kLegal, 16, WidthVariants};
 
 }  // namespace rasterproof::subjects::mutants

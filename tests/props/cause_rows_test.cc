@@ -67,7 +67,7 @@ MakesSubject WithABand(double limit, int sign) {
     if (std::fabs(left - right) < limit) return sign;
     return left > right ? 1 : -1;
   };
-  return [stages] { return subjects::mutants::MakeRealGeometry("planted", "planted", stages); };
+  return [stages] { return subjects::mutants::Make("planted", "planted", stages); };
 }
 
 MakesSubject Mutant(std::string_view name) {

@@ -154,7 +154,7 @@ std::unique_ptr<Subject> ThreeBugs() {
     return edge.owns || edge.a.y == edge.b.y;
   };
   stages.options = [](DrawOptions& options, const Scene&) { options.scissor.reset(); };
-  return subjects::mutants::MakeFixedPoint("three", "three bugs", std::move(stages));
+  return subjects::mutants::Make("three", "three bugs", std::move(stages));
 }
 
 Case Triangle3(std::vector<Vertex> vertices) {

@@ -37,11 +37,12 @@ const Property& LongList() { return *FindProperty("LongListDrawsLikeItsEnd"); }
 // A sound rasterizer whose ids are what the function makes of the numbers of triangles.
 std::unique_ptr<Subject> WithIds(const std::function<std::size_t(std::size_t)>& id,
                                  std::size_t list_length) {
-  std::unique_ptr<Subject> subject = subjects::mutants::MakeFreeChoice(
+  std::unique_ptr<Subject> subject = subjects::mutants::Make(
       "ids", "",
-      {.profile = subjects::mutants::FixedPointProfile(),
-       .coverage = CoverageKind::kPrimitiveIds,
-       .id = [id](std::size_t number, std::size_t) { return id(number); }});
+      subjects::mutants::FreeStages{
+          .profile = subjects::mutants::FixedPointProfile(),
+          .coverage = CoverageKind::kPrimitiveIds,
+          .id = [id](std::size_t number, std::size_t) { return id(number); }});
   SubjectInfo info = subject->Info();
   info.list_length = list_length;
   subject->JudgeAs(std::move(info));

@@ -18,7 +18,7 @@ namespace rasterproof::props {
 inline constexpr double kLongestSearch = 800;  // seconds: what is found may not depend on the clock
 
 inline MakesSubject Planted(const subjects::mutants::FixedStages& stages) {
-  return [stages] { return subjects::mutants::MakeFixedPoint("planted", "planted", stages); };
+  return [stages] { return subjects::mutants::Make("planted", "planted", stages); };
 }
 
 /// A case of the triangles of each three vertices.

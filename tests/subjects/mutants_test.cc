@@ -14,6 +14,7 @@
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/coverage.h"
@@ -21,10 +22,18 @@
 #include "props/cause/cause.h"
 #include "props/property.h"
 #include "props/run/campaign.h"
+#include "subjects/mutants/mutant.h"
 #include "tests/share.h"
 #include "tests/subjects/conformance_baseline.h"
 
 namespace rasterproof {
+namespace subjects::mutants {
+
+extern const MutantTable* const kAllMutantTables[];
+extern const std::size_t kNumberOfMutantTables;
+
+}  // namespace subjects::mutants
+
 namespace {
 
 using subjects::MutantInfo;
@@ -43,6 +52,15 @@ TEST(Mutants, HaveNamesOfTheirOwnUnderWhichTheyAreMade) {
     EXPECT_FALSE(subject->Info().states_exact) << mutant.name;
   }
   EXPECT_EQ(subjects::MakeMutant("mutant:none-such"), nullptr);
+}
+
+TEST(Mutants, AreInTablesThatHavePlacesOfTheirOwn) {
+  using namespace subjects::mutants;
+  std::set<std::pair<MutantKind, int>> places;
+  for (std::size_t k = 0; k < kNumberOfMutantTables; ++k) {
+    const MutantTable& table = *kAllMutantTables[k];
+    EXPECT_TRUE(places.emplace(table.kind, table.place).second) << table.rows().front().name;
+  }
 }
 
 TEST(Mutants, HaveCausesThatTheDocumentHas) {

@@ -121,7 +121,7 @@ bool LeavesBarycentricsOpen(const SubjectInfo& info, const Profile& profile);
 /// Returns whether the subject shows this, or takes it as an option.
 bool IsShownBy(Shows shows, const Description& subject);
 
-/// Returns which of these limits the scene exceeds, as a clause that names its key. Nothing if none.
+/// Returns which of these limits the scene exceeds, as a clause that names its key, or nothing.
 std::optional<std::string> WhyBeyond(BoundBy limits, const Scene& scene, const Profile& profile);
 
 /// Returns why the property does not apply to the subject, whatever the case, or nothing if it may.
@@ -137,9 +137,9 @@ std::optional<std::string> DoesNotApply(const Gate& gate, const Description& sub
 /// Not exercised:  the case is of the other space; it culls or has a scissor, which the subject
 ///                 does not take; it is of clip space, under a snapped profile, and not wholly in
 ///                 front of the eye; the profile has keys that speak of window space alone;
-///                 it exceeds the limits, is not finite, or a coordinate wraps; a triangle leaves the
-///                 profile's guard-band rectangle; the property needs facings, and the mesh is
-///                 judged as it is shown.
+///                 it exceeds the limits, is not finite, or wraps; a triangle leaves the profile's
+///                 guard-band rectangle; the property needs facings, and the mesh is judged as it
+///                 is shown.
 std::optional<Verdict> Refusal(const Gate& gate, const Description& subject, const PlacedCase& c);
 
 /// Returns the conditions of DoesNotApply and Refusal in words, and `where`, as `rasterproof list`

@@ -114,7 +114,8 @@ std::string LegalFigures(const std::vector<HuntResult>& results, std::uint64_t l
 
 }  // namespace
 
-Hunt HuntBug(Subject& subject, const props::CampaignOptions& options) {
+Hunt HuntBug(Subject& subject, const props::CampaignOptions& options,
+             std::span<const std::string> killers) {
   const Clock::time_point start = Clock::now();
   Hunt hunt;
   std::vector<const props::Property*> applicable;
@@ -139,8 +140,9 @@ Hunt HuntBug(Subject& subject, const props::CampaignOptions& options) {
       hunt.exercised += result.cases_exercised;
       if (result.outcome == Outcome::kInconclusive) ++hunt.inconclusive;
       // No clause names the caller's floating-point mode; what is drawn in others was planted so.
-      const bool is_of_modes = property->gate.shows == props::Shows::kFloatModes;
-      if (!IsFailure(result, is_of_modes ? FailOn::kQuality : FailOn::kStated)) continue;
+      const bool is_of_quality = property->gate.shows == props::Shows::kFloatModes ||
+                                 std::ranges::find(killers, property->name) != killers.end();
+      if (!IsFailure(result, is_of_quality ? FailOn::kQuality : FailOn::kStated)) continue;
       hunt.violation = std::move(result);
       break;
     }
@@ -169,7 +171,8 @@ HuntResult RunHunt(const HuntTask& task, const std::function<void(std::uint64_t)
   options.seed = task.seed;
   options.cases = task.cases;
   options.progress = progress;
-  return {task.mutant, task.seed, HuntBug(*subjects::MakeMutant(task.mutant.name), options)};
+  return {task.mutant, task.seed,
+          HuntBug(*subjects::MakeMutant(task.mutant.name), options, task.mutant.killers)};
 }
 
 std::string SelftestText(const std::vector<HuntResult>& results, std::uint64_t cases,

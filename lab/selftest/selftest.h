@@ -31,8 +31,10 @@ struct Hunt {
 ///
 /// Every property has its turn in rounds that grow fourfold: a bug that any property sees at once
 /// does not wait for the thousandth case of another one. A property that says in the first round
-/// that it does not apply is asked no more. Progress is in cases over all properties.
-Hunt HuntBug(Subject& subject, const props::CampaignOptions& options);
+/// that it does not apply is asked no more. Progress is in cases over all properties. A violation
+/// of quality counts of properties named in `killers`: the bug may be one that no clause forbids.
+Hunt HuntBug(Subject& subject, const props::CampaignOptions& options,
+             std::span<const std::string> killers = {});
 
 /// A hunt to be run: each mutant has one, and each legal variant several, which pass only by
 /// running to the end.

@@ -80,8 +80,20 @@ TEST(Mutants, AreFoundByTheCatalogueInASample) {
   for (const MutantInfo& mutant : Mutants()) {
     if (mutant.legal || number++ % kEvery != 0) continue;
     const std::unique_ptr<Subject> subject = subjects::MakeMutant(mutant.name);
-    const lab::Hunt hunt = lab::HuntBug(*subject, {.cases = 600, .shrink_budget = 50});
+    const lab::Hunt hunt =
+        lab::HuntBug(*subject, {.cases = 600, .shrink_budget = 50}, mutant.killers);
     EXPECT_TRUE(hunt.violation.has_value()) << mutant.name << " survives " << hunt.cases;
+  }
+}
+
+TEST(Mutants, ThatNoClauseForbidsAreFoundByTheirKillersAlone) {
+  for (const char* name : {"mutant:vulkan-fragments-sum-off", "mutant:vulkan-depth-off",
+                           "mutant:vulkan-fragments-depth-alone-off"}) {
+    const auto mutant = std::ranges::find(Mutants(), name, &MutantInfo::name);
+    const std::unique_ptr<Subject> subject = subjects::MakeMutant(name);
+    const props::CampaignOptions few{.cases = 16, .shrink_budget = 50};
+    EXPECT_TRUE(lab::HuntBug(*subject, few, mutant->killers).violation) << name;
+    EXPECT_FALSE(lab::HuntBug(*subject, few).violation) << name;
   }
 }
 

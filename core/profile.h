@@ -280,7 +280,8 @@ std::optional<std::string> WhyTooLarge(const Scene& scene, const Profile& profil
 /// lies too far out or, of clip space on a grid, projects too far. Nothing if none: what is not
 /// finite has keys of its own.
 ///
-/// Whoever judges, searches or draws asks here, so that a limit is stated once.
+/// Whoever judges a scene or searches its legal models asks here. Domains and properties that
+/// choose sizes or coordinates of their own choose them by the keys.
 std::optional<std::string> WhyBeyondLimits(const Scene& scene, const Profile& profile);
 
 /// Returns whether the scene lies within the profile's limits and is finite: x, y and w are, and z
